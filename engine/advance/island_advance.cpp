@@ -7,20 +7,17 @@
 #include "../flight/clamp.h"
 #include "../flight/ground_on_the_way.h"
 #include "../flight/solved_path.h"
-#include "../islands/hard_pull.h"
-#include "../islands/rod_turn.h"
 #include "../modes/modes.h"
 #include "../solve/tied_group.h"
 #include "../state/profile.h"
 #include "cut_motion.h"
 #include "island_contacts.h"
+#include "part_sub_steps.h"
 #include "yield_to_ground.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// The shortest part of a step, as a share of it.
-constexpr double kShortestPart = 1.0 / 128;
 /// After so many tries, or once the budget of impacts is used up, what is left of the step is gone through in so many
 /// parts. Each try moves all members: a large island has fewer of them, and fewer parts in the end.
 constexpr std::size_t kMaxTries = 64;
@@ -35,12 +32,6 @@ constexpr double kMaxTurn = 0.5;
 constexpr double kMaxLooseTurn = 2;
 /// Radians in the shortest part beyond which no turn is followed: the rest of the step is one part.
 constexpr double kHopelessTurn = 1024;
-/// Radians in a sub-step that joints still follow well.
-constexpr double kMaxTurnOfSubStep = 1.0 / 16;
-/// Sub-steps of any part of an island with joints between its members: what an impact gives to one body goes through
-/// one or two joints in each. With one, ragdolls at 100 m/s came apart by 9 cm, with four by 5 to 8, with eight by 4,
-/// and waited a tenth of the time. A joint to the ground passes nothing on.
-constexpr int kFewestJointedSubSteps = 8;
 /// A part that was already made to fit, and still ends at an impact, is cut there if that leaves at least so much of
 /// it.
 constexpr double kGoodFit = 0.5;
@@ -59,28 +50,6 @@ struct Course {
     std::size_t eventsBefore = 0;
 };
 
-/// Of which bodies the spin is asked.
-enum class Spinners : std::uint8_t { all, heldByJoints };
-
-/// rad/s, without its sign
-double fastestSpin(const WorldState& world, std::span<const std::uint32_t> members, Spinners which) {
-    double fastest = 0;
-    for (const std::uint32_t slot : members) {
-        if (which == Spinners::heldByJoints && world.bodies[slot].holdingJoints == 0) { continue; }
-        fastest = std::max(fastest, std::fabs(static_cast<double>(world.motions[slot].angularVelocity)));
-    }
-    return fastest;
-}
-
-/// The same, and of rods.
-double fastestSpin(const Course& course, Spinners which) {
-    double fastest = fastestSpin(course.world, course.island.members, which);
-    for (const std::uint32_t slot : course.island.jointSlots) {
-        fastest = std::max(fastest, rodTurnOf(course.world, course.world.joints[slot]));
-    }
-    return fastest;
-}
-
 /// Reactions of the joints are means over the step so far.
 void addUpReactions(Course& course, double time) {
     const auto share = static_cast<Real>(time / course.dt);
@@ -92,50 +61,13 @@ void addUpReactions(Course& course, double time) {
     }
 }
 
-/// Whether a joint ties members to each other, and not only to what does not yield.
-bool areMembersJoined(const Course& course) {
-    const WorldState& world = course.world;
-    const auto yields = [&world](std::uint32_t slot) { return world.bodies[slot].isDynamic(); };
-    return std::any_of(course.island.jointSlots.begin(), course.island.jointSlots.end(), [&](std::uint32_t joint) {
-        const auto bodies = world.joints[joint].allBodies();
-        return std::count_if(bodies.begin(), bodies.end(), yields) > 1;
-    });
-}
-
-/// Whether it is a body on its own whose pull is for short sub-steps.
-bool isOneHard(const Course& course) {
-    const std::vector<std::uint32_t>& members = course.island.members;
-    return members.size() == 1 && course.island.jointSlots.empty() &&
-           isPulledHard(course.world, course.world.bodies[members[0]], static_cast<Real>(course.dt));
-}
-
-int subStepsOfPart(const Course& course, double time) {
-    const Effort effort = course.world.bodies[course.island.members[0]].effort;
-    const int usual = subStepsOf(course.world.settings);
-    const int asked = effort.isCrowd || isOneHard(course) ? subStepsFor(effort, usual) : usual;
-    const bool isJointed = !course.island.jointSlots.empty();
-    const bool isBudgeted = hasErrorBudget(course.world.settings);
-    // Light links that heavy bodies swing past whip round within a part, unforeseen by the spin at its start: what the
-    // effort says of the whole step (doublingsForWhips) goes for its parts. With a budget it may be fewer sub-steps
-    // than asked for: joints that then open too far are advanced again (effort_trial.h).
-    const int chosen = subStepsFor(effort, usual);
-    const int atLeast = isJointed && isBudgeted ? 1 : asked;
-    const int standard = isJointed || isBudgeted ? std::max(atLeast, chosen) : asked;
-    const double share = std::ceil(standard * time / course.dt * (1 - kShortestPart));
-    if (!isJointed) { return std::clamp(static_cast<int>(share), 1, standard); }
-    const bool areJoined = areMembersJoined(course);
-    // What is loose may whirl beside joints that lead to the ground alone: none of these has to follow that.
-    const double spin = fastestSpin(course, areJoined ? Spinners::all : Spinners::heldByJoints);
-    const double turns = std::ceil(spin * time / kMaxTurnOfSubStep);
-    const int fewest = areJoined ? std::min(kFewestJointedSubSteps, standard) : 1;
-    return std::clamp(static_cast<int>(std::min<double>(standard, std::max(turns, share))), fewest, standard);
-}
-
 void solvePart(Course& course, double time) {
     AdvancingIsland& island = course.island;
     yieldToGround(course.world, island);
-    const StepPart part{
-        .begin = course.elapsed, .length = time, .dt = course.dt, .subSteps = subStepsOfPart(course, time)};
+    const StepPart part{.begin = course.elapsed,
+                        .length = time,
+                        .dt = course.dt,
+                        .subSteps = subStepsOfPart(course.world, island, time, course.dt)};
     setSubStep(course.world, island, time / part.subSteps);
     putTotalsAside(island);
     island.group = island.members;
@@ -411,7 +343,7 @@ void advanceIsland(WorldState& world, IslandDesk& desk, double dt, FlightScratch
     while (course.elapsed < dt) {
         const double rest = dt - course.elapsed;
         if (made++ == mostTries) { course.shortest = std::max(course.shortest, rest / lastParts); }
-        const double spin = fastestSpin(course, Spinners::all);
+        const double spin = fastestSpin(world, course.island, Spinners::all);
         if (spin * course.shortest > kHopelessTurn) { course.shortest = rest; }
         double time = std::max(next, course.shortest);
         if (spin * time > maxTurn) { time = std::max(longestTurning(course, rest, maxTurn / spin), course.shortest); }

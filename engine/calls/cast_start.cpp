@@ -5,6 +5,7 @@
 
 #include "../../toi/toi_polygon.h"
 #include "../flight/sweep_obstacles.h"
+#include "../flight/sweep_tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

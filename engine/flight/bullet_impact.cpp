@@ -8,6 +8,7 @@
 #include "bullet_paths.h"
 #include "bullet_search.h"
 #include "flight_state.h"
+#include "sweep_tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "../state/world_state.h"
 #include "flight_state.h"
+#include "sweep_tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

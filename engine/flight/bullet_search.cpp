@@ -19,6 +19,7 @@
 #include "flight_state.h"
 #include "free_path.h"
 #include "sweep_circles.h"
+#include "sweep_tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "../../toi/toi_polygon.h"
@@ -97,12 +98,12 @@ bool isInFrontOfNeighbour(const WorldState& world, const FlightObstacle& obstacl
            (isOuterLast && isInFront(segment.q, segment.after) && touches(segment.q));
 }
 
-}  // namespace
-
-bool isCrossing(const WorldState& world, const FlightScratch& scratch, std::uint32_t shape, std::uint32_t segment) {
-    if (isListed(scratch.crossings, {.segment = segment, .shape = shape})) { return true; }
-    return !scratch.knowsCrossings && passesChain(world, shape, segment);
-}
+/// Where a shape is that touches a segment.
+enum class ChainSide : std::uint8_t {
+    front,
+    back,       ///< or in the chain that it came to from behind: it passes
+    neighbour,  ///< at a corner, in front of the neighbour beyond it: that is what stops it
+};
 
 ChainSide sideAt(const WorldState& world, const FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep,
                  double fraction, const FlightScratch& scratch) {
@@ -133,6 +134,35 @@ ChainSide sideAt(const WorldState& world, const FlightObstacle& obstacle, const 
     for (const ChainPasser& passer : scratch.fromBehind) { look(passer, kPassedRatio); }
     visitCrossings(world, scratch, [&](const ChainPasser& passer) { look(passer, kTargetRatio); });
     return isInside ? ChainSide::back : ChainSide::front;
+}
+
+}  // namespace
+
+bool StartAtChains::isBehind(std::uint32_t segment) {
+    const Shape& other = world_.shapes[segment];
+    if (other.body != chainBody_) {
+        chainBody_ = other.body;
+        middle_ =
+            applyInverse(groundPose(world_, chainBody_, from_), apply(pose_, middleOf(world_.shapes[shape_].polygon)));
+    }
+    return swept::isBehind(other, middle_);
+}
+
+bool StartAtChains::isCrossing(std::uint32_t segment, const FlightScratch& scratch) const {
+    if (isListed(scratch.crossings, {.segment = segment, .shape = shape_})) { return true; }
+    return !scratch.knowsCrossings && passesChain(world_, shape_, segment);
+}
+
+bool passesFromBehind(const WorldState& world, FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep,
+                      double fraction, FlightScratch& scratch) {
+    if (!world.shapes[obstacle.other].isChainSegment) { return false; }
+    const ChainSide side = sideAt(world, obstacle, sweep, otherSweep, fraction, scratch);
+    if (side == ChainSide::front) { return false; }
+    obstacle.isCrossed = obstacle.isClear = true;
+    if (side == ChainSide::neighbour) { return true; }
+    scratch.fromBehind.push_back({.segment = obstacle.other, .shape = obstacle.own});
+    scratch.meetsBacks = true;
+    return true;
 }
 
 void noteCrossings(const WorldState& world, std::uint32_t body, const Sweep& sweep, double from, double to,

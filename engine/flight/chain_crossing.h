@@ -11,19 +11,33 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Whether the shape is in the segment already, and came from behind.
-bool isCrossing(const WorldState& world, const FlightScratch& scratch, std::uint32_t shape, std::uint32_t segment);
+/// Where a shape is as a sweep begins, for the chains in its way: what is near one piece of them is near several.
+class StartAtChains {
+public:
+    /// @param pose  of its body as the sweep begins
+    /// @param from  seconds of the step at which it does
+    StartAtChains(const WorldState& world, std::uint32_t shape, const WorldTransform& pose, double from)
+        : world_(world), shape_(shape), pose_(pose), from_(from) {}
 
-/// Where a shape is that touches a segment.
-enum class ChainSide : std::uint8_t {
-    front,
-    back,       ///< or in the chain that it came to from behind: it passes
-    neighbour,  ///< at a corner, in front of the neighbour beyond it: that is what stops it
+    /// Whether it is behind a segment, by the middle of its core, as in the manifold.
+    bool isBehind(std::uint32_t segment);
+    /// Whether it is in the segment already, and came from behind.
+    bool isCrossing(std::uint32_t segment, const FlightScratch& scratch) const;
+
+private:
+    const WorldState& world_;
+    std::uint32_t shape_;
+    const WorldTransform& pose_;
+    double from_;
+    Vec2 middle_{};  ///< of its core, in the frame of the chains of this body:
+    std::uint32_t chainBody_ = kNoIndex;
 };
-/// @param fraction  of the sweep, at which it touches first
-/// @pre the obstacle is a chain segment
-ChainSide sideAt(const WorldState& world, const FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep,
-                 double fraction, const FlightScratch& scratch);
+
+/// Whether what a sweep touches first there is a chain that lets the shape pass. From then on it is no obstacle of that
+/// sweep, and what was met from behind is noted.
+/// @param fraction  of the sweep, at which it touches
+bool passesFromBehind(const WorldState& world, FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep,
+                      double fraction, FlightScratch& scratch);
 
 /// Of the segments that the last sweep, which began at `from`, got to from behind, and of those that a shape of it was
 /// in already: notes the ones that it is still in at a fraction of it, and forgets the others.

@@ -12,6 +12,7 @@
 #include "curved_path.h"
 #include "flight_state.h"
 #include "sweep_circles.h"
+#include "sweep_tolerances.h"
 #include "take_along.h"
 #include "turning_ride.h"
 

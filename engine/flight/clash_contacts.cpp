@@ -7,6 +7,7 @@
 #include "../solve/constraint_builder.h"
 #include "../state/tolerances.h"
 #include "flight_state.h"
+#include "sweep_tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

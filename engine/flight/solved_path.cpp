@@ -10,6 +10,7 @@
 #include "../contacts/chain_passage.h"
 #include "../state/tolerances.h"
 #include "chain_crossing.h"
+#include "sweep_tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -1,18 +1,16 @@
 #include "sweep_obstacles.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "../../toi/toi_polygon.h"
 #include "../bodies/travel.h"
-#include "../contacts/chain_passage.h"
 #include "../contacts/ghosts.h"
 #include "../contacts/may_touch.h"
 #include "../contacts/shape_manifold.h"
 #include "../state/tolerances.h"
 #include "chain_crossing.h"
 #include "ground_on_the_way.h"
+#include "sweep_tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -21,48 +19,9 @@ bool isObstacle(const WorldState& world, const Shape& own, const Shape& other) {
     return !world.bodies[other.body].isDynamic() && !other.def.sensor && mayTouch(world, own, other);
 }
 
-/// Of a static or kinematic body so many seconds after the start of the step.
-WorldTransform groundPose(const WorldState& world, std::uint32_t body, double seconds) {
-    const bool isThere = seconds == 0 || world.bodies[body].def.type == BodyType::fixed;
-    if (isThere) { return world.motions[body].pose; }
-    return motionAt(obstacleSweep(world, body, seconds, seconds), 0, world.bodies[body].localCenter).pose;
-}
-
-/// Where the centre of a shape's core is at the start of a sweep, once a chain asks: what is near one piece of it is
-/// near several.
-class StartOfCore {
-public:
-    StartOfCore(const Shape& own, const WorldTransform& pose, double from) : own_(own), pose_(pose), from_(from) {}
-
-    /// In the frame of the body of a chain.
-    Vec2 placeIn(const WorldState& world, std::uint32_t body) {
-        if (body != body_) {
-            place_ = applyInverse(groundPose(world, body, from_), apply(pose_, middleOf(own_.polygon)));
-            body_ = body;
-        }
-        return place_;
-    }
-
-private:
-    const Shape& own_;
-    const WorldTransform& pose_;
-    double from_;
-    Vec2 place_{};
-    std::uint32_t body_ = kNoIndex;
-};
-
-/// A chain lets through what is behind it: the centre of the shape's core decides, as in the manifold.
-bool isBehindChain(const WorldState& world, const Shape& other, StartOfCore& core) {
-    return isBehind(other, core.placeIn(world, other.body));
-}
-
 /// What is sunk in deeper than the slack, and therefore swept however slow it is, may stir up to so many slacks: what
 /// is pressed comes to rest somewhere there.
 constexpr double kMostSlacks = 2;
-/// Beyond that it gets on by this part of the usual tolerance alone: it may be pressed step after step, and each may
-/// have 64 parts.
-constexpr double kSunkTolerance = 1.0 / 1024;
-
 ToiSettings settingsFor(const WorldState& world, const FlightObstacle& obstacle, double tMax) {
     return {.target = obstacle.level, .tolerance = toleranceOf(world, obstacle), .tMax = tMax};
 }
@@ -195,19 +154,6 @@ bool isOutOfReach(const WorldState& world, const FlightObstacle& obstacle, const
     return world.bodies[world.shapes[obstacle.other].body].def.type == BodyType::fixed;
 }
 
-/// Whether what is met there is a chain that lets pass, which then is no obstacle of this sweep any more.
-bool letsCross(const WorldState& world, FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep,
-               double fraction, FlightScratch& scratch) {
-    if (!world.shapes[obstacle.other].isChainSegment) { return false; }
-    const ChainSide side = sideAt(world, obstacle, sweep, otherSweep, fraction, scratch);
-    if (side == ChainSide::front) { return false; }
-    obstacle.isCrossed = obstacle.isClear = true;
-    if (side == ChainSide::neighbour) { return true; }
-    scratch.fromBehind.push_back({.segment = obstacle.other, .shape = obstacle.own});
-    scratch.meetsBacks = true;
-    return true;
-}
-
 /// Of what is behind a chain as the sweep begins: it may be in it already, and is not lifted out of it.
 FirstImpact firstTouch(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep,
                        const FlightObstacle& obstacle, double limit, FlightScratch& scratch) {
@@ -232,7 +178,7 @@ FirstImpact firstOfAll(const WorldState& world, const Sweep& sweep, double from,
             obstacle.isBehind
                 ? firstTouch(world, sweep, otherSweep, obstacle, first.fraction, scratch)
                 : firstImpactWith(world, sweep, otherSweep, obstacle, first.fraction, scratch, ignoresSunk);
-        if (!impact.hit || letsCross(world, obstacle, sweep, otherSweep, impact.fraction, scratch)) { continue; }
+        if (!impact.hit || passesFromBehind(world, obstacle, sweep, otherSweep, impact.fraction, scratch)) { continue; }
         first = {true, impact.fraction, near.index};
     }
     return first;
@@ -259,36 +205,10 @@ Sweep obstacleSweep(const WorldState& world, std::uint32_t body, double from, do
             .a1 = motion.angle + to * spin};
 }
 
-double targetOf(const WorldState& world, const FlightObstacle& obstacle) {
-    const Shape& own = world.shapes[obstacle.own];
-    const Shape& other = world.shapes[obstacle.other];
-    const auto extent = static_cast<double>(std::min(own.extent, other.extent));
-    const double unit = std::max(static_cast<double>(kFlightRoundings) * std::numeric_limits<double>::epsilon(),
-                                 static_cast<double>(kEpsilon));
-    return std::clamp(unit * static_cast<double>(own.size + other.size),
-                      static_cast<double>(kFlightTargetRatio) * extent, static_cast<double>(kTargetRatio) * extent);
-}
-
-Real reachOf(const WorldState& world, const FlightObstacle& obstacle) {
-    const double met = targetOf(world, obstacle) + 3 * toleranceOf(world, obstacle);
-    return static_cast<Real>(met) + roundingOf(world, obstacle);
-}
-
-double levelInContact(const WorldState& world, const FlightObstacle& obstacle, double separation) {
-    if (obstacle.isSunkInto) { return separation - 2 * toleranceOf(world, obstacle); }
-    // What rounding, or a corner that turns in, leaves of an approach that was dealt with must not count as an impact
-    // again and again: bars that come to rest on uneven ground lost 1.7 % of their time by it.
-    const Real sink = std::max(roundingOf(world, obstacle), kChatterSlops * slopOf(world, obstacle));
-    return separation - 2 * toleranceOf(world, obstacle) - static_cast<double>(sink);
-}
-
-double toleranceOf(const WorldState& world, const FlightObstacle& obstacle) {
-    return (obstacle.isSunkInto ? kSunkTolerance : 1) * toleranceOf(world, targetOf(world, obstacle));
-}
-
-double rideSag(const WorldState& world, const FlightObstacle& obstacle, int impacts) {
-    const auto slop = static_cast<double>(slopOf(world, obstacle));
-    return slop * std::min(std::ldexp(kSagSlops, impacts / kImpactsPerDoubling), kMostSagSlops);
+WorldTransform groundPose(const WorldState& world, std::uint32_t body, double seconds) {
+    const bool isThere = seconds == 0 || world.bodies[body].def.type == BodyType::fixed;
+    if (isThere) { return world.motions[body].pose; }
+    return motionAt(obstacleSweep(world, body, seconds, seconds), 0, world.bodies[body].localCenter).pose;
 }
 
 Aabb boxOfPath(const Shape& own, const Sweep& sweep) {
@@ -322,15 +242,15 @@ void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& swe
         std::sort(scratch.found.begin(), scratch.found.end());
         if (!isPlaced) { scratch.startPose = poseOf(sweep.c0, sweep.a0, world.bodies[body].localCenter); }
         isPlaced = true;
-        StartOfCore core(own, scratch.startPose, from);
+        StartAtChains start(world, slot, scratch.startPose, from);
         for (const std::uint32_t found : scratch.found) {
             const Shape& other = world.shapes[found];
             if (!isObstacle(world, own, other)) { continue; }
             if (scratch.ground != nullptr) { scratch.ground->meet(other.body); }
             FlightObstacle obstacle{.own = slot, .other = found};
             if (other.isChainSegment) {
-                obstacle.isBehind = isBehindChain(world, other, core);
-                if (!obstacle.isBehind && isCrossing(world, scratch, slot, found)) {
+                obstacle.isBehind = start.isBehind(found);
+                if (!obstacle.isBehind && start.isCrossing(found, scratch)) {
                     scratch.meetsBacks = true;
                     continue;
                 }
@@ -406,7 +326,7 @@ FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from
         if (!first.hit || scratch.fromBehind.size() == crossed) { return first; }
         FlightObstacle& obstacle = scratch.obstacles[first.obstacle];
         const Sweep otherSweep = obstacleSweep(world, world.shapes[obstacle.other].body, from, to);
-        if (!letsCross(world, obstacle, sweep, otherSweep, first.fraction, scratch)) { return first; }
+        if (!passesFromBehind(world, obstacle, sweep, otherSweep, first.fraction, scratch)) { return first; }
     }
 }
 

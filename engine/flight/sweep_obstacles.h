@@ -1,10 +1,8 @@
 #pragma once
 
-#include <algorithm>
-#include <optional>
+#include <cstdint>
 #include <span>
 
-#include "../state/tolerances.h"
 #include "../state/world_state.h"
 #include "flight.h"
 
@@ -15,39 +13,8 @@ BodyMotion motionAt(const Sweep& sweep, double fraction, Vec2 localCenter);
 /// Motion of a static or kinematic body within [from, to] seconds of the step, from its pose at the start of the step.
 Sweep obstacleSweep(const WorldState& world, std::uint32_t body, double from, double to);
 
-/// Separation at which an impact is resolved, and how exactly it is met, metres.
-double targetOf(const WorldState& world, const FlightObstacle& obstacle);
-double toleranceOf(const WorldState& world, const FlightObstacle& obstacle);
-/// The latter by the former.
-inline double toleranceOf(const WorldState& world, double target) {
-    const std::optional<Real>& wanted = world.settings.toiTolerance;
-    return wanted ? std::min(static_cast<double>(*wanted), target / 2) : target / 4;
-}
-/// How far ground may be uneven that counts as flush, and how far a body may sag between two impacts of a contact that
-/// carries it, metres.
-inline Real slopOf(const Shape& own, const Shape& other) { return kTargetRatio * std::min(own.extent, other.extent); }
-inline Real slopOf(const WorldState& world, const FlightObstacle& obstacle) {
-    return slopOf(world.shapes[obstacle.own], world.shapes[obstacle.other]);
-}
-/// Largest error of a manifold's separation (`Real`) against that of the sweeps (double), metres.
-inline Real roundingOf(const Shape& own, const Shape& other) {
-    return std::min(kFlightRoundings * kEpsilon * (own.size + other.size), slopOf(own, other));
-}
-inline Real roundingOf(const WorldState& world, const FlightObstacle& obstacle) {
-    return roundingOf(world.shapes[obstacle.own], world.shapes[obstacle.other]);
-}
-/// Separation up to which what the sweeps met shows up in a manifold, metres.
-Real reachOf(const WorldState& world, const FlightObstacle& obstacle);
-/// Separation at which what has this separation, and was dealt with, counts as met again, metres.
-double levelInContact(const WorldState& world, const FlightObstacle& obstacle, double separation);
-
-/// How far a body may sink into what the solver holds it off, metres.
-inline double slackOf(const Shape& own, const Shape& other) {
-    return static_cast<double>(slopOf(own, other) * (kSlackRatio / kTargetRatio));
-}
-inline double slackOf(const WorldState& world, const FlightObstacle& obstacle) {
-    return slackOf(world.shapes[obstacle.own], world.shapes[obstacle.other]);
-}
+/// Pose of such a body so many seconds after the start of the step.
+WorldTransform groundPose(const WorldState& world, std::uint32_t body, double seconds);
 
 /// Box of all places of a shape on the path of its body, however that turns.
 Aabb boxOfPath(const Shape& own, const Sweep& sweep);
@@ -67,20 +34,6 @@ Manifold obstacleManifold(const WorldState& world, const FlightObstacle& obstacl
 /// sunk into by a part of the extent: the solver is soft, and a body that rolls or tips about a contact must not stop
 /// there.
 void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightScratch& scratch);
-
-/// How far a body may sink into what it just met before that counts as met again, in slops.
-inline constexpr Real kChatterSlops = Real(1) / 8;
-/// How far a body sags between two impacts of what carries it, in slops.
-inline constexpr double kSagSlops = 0.5;
-/// What a bullet rides on: see `rideSag`.
-inline constexpr double kMostSagSlops = 64;
-inline constexpr int kImpactsPerDoubling = 4;
-
-/// How far a bullet and what it rides on may sink into each other between two impacts, metres. Ever farther in one
-/// step, up to a sixteenth of the extent: something that whirls then gets on by three radians in 64 impacts, however
-/// fast.
-/// @param impacts  that there were in this step
-double rideSag(const WorldState& world, const FlightObstacle& obstacle, int impacts);
 
 /// Obstacles that carry the flyer, along these normals, and all that is flush with them, may be sunk into by a part of
 /// the slop. @param from  seconds of the step at which the sweep begins

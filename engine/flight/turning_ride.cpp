@@ -6,6 +6,7 @@
 #include "../contacts/ghosts.h"
 #include "../contacts/hit_event.h"
 #include "flight_state.h"
+#include "sweep_tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "../state/world_state.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// The shortest part of a step that an island advances by, as a share of it.
+inline constexpr double kShortestPart = 1.0 / 128;
+
+/// Of which bodies the spin is asked.
+enum class Spinners : std::uint8_t { all, heldByJoints };
+/// rad/s, without its sign
+double fastestSpin(const WorldState& world, std::span<const std::uint32_t> members, Spinners which);
+/// The same, and of rods.
+double fastestSpin(const WorldState& world, const AdvancingIsland& island, Spinners which);
+
+/// Into how many sub-steps a part of the step goes: at most as many as the whole step would, and enough for joints to
+/// follow the turns of what they tie, which an impact may just have begun.
+/// @param time  of the part, seconds
+int subStepsOfPart(const WorldState& world, const AdvancingIsland& island, double time, double dt);
+
+}  // namespace swept::inline SWEPT_PRECISION
