@@ -18,6 +18,8 @@ constexpr int kMostStartRounds = 32;
 constexpr double kSmallStartChange = 1.0 / 65536;
 /// Speeds that are left, as a part of what drives give: what is faster is in no balance.
 constexpr double kLeftOfStart = 1.0 / 64;
+/// What contacts alone hold, and let fall by no more than this part of what drives give, is carried already.
+constexpr double kLeftOfCarried = 1.0 / 8;
 /// A contact that turns more often than that presses no longer.
 constexpr int kMostStartTurns = 4;
 /// Blocks of the factor per body: what is so tangled begins with what it has.
@@ -48,7 +50,7 @@ void StartBalance::addRow(const SolverBatch& batch, const DirectRow& held) {
     double inverseMass = 0;
     const auto take = [&](BodySlot slot, double sign, double spin, Block3& of) {
         const BodyInertia& body = batch.inertias[slot];
-        if (!isMovable(body)) { return; }
+        if (nodes_[slot] == kNoNode) { return; }
         const auto linear = static_cast<double>(body.inverseMass);
         const auto angular = static_cast<double>(body.inverseInertia);
         of = {linear > 0 ? sign * x : 0, linear > 0 ? sign * y : 0, angular > 0 ? sign * spin : 0};
@@ -71,6 +73,7 @@ void StartBalance::listRows(SolverBatch& batch) {
     addJointRows(batch, {}, 1, 1, false, jointRows_);
     for (const DirectRow& row : jointRows_) { addRow(batch, row); }
     for (ContactConstraint& contact : batch.contacts) {
+        if (nodes_[contact.slotA] == kNoNode && nodes_[contact.slotB] == kNoNode) { continue; }
         for (int i = 0; i < contact.count; ++i) {
             ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
             if (point.baseSeparation > 0) { continue; }
@@ -92,7 +95,8 @@ void StartBalance::listRows(SolverBatch& batch) {
     }
 }
 
-/// What springs, limits and motors give is told by what they do to bodies at rest whose other impulses are zero.
+/// What springs, limits and motors give is told by what they do to bodies at rest whose other impulses are zero. What
+/// resists rolling stays as it is.
 void StartBalance::findDrives(SolverBatch& batch) {
     for (const Row& row : rows_) { *row.to = 0; }
     for (std::size_t i = 0; i < batch.states.size(); ++i) {
@@ -115,6 +119,12 @@ void StartBalance::findDrives(SolverBatch& batch) {
         }
         state.velocity = {};
         state.angularVelocity = 0;
+    }
+    for (const ContactConstraint& contact : batch.contacts) {
+        if (!(contact.rolling > 0)) { continue; }
+        const auto turn = static_cast<double>(contact.rollingImpulse);
+        if (nodes_[contact.slotA] != kNoNode) { drives_[nodes_[contact.slotA]][2] -= turn; }
+        if (nodes_[contact.slotB] != kNoNode) { drives_[nodes_[contact.slotB]][2] += turn; }
     }
 }
 
@@ -193,28 +203,81 @@ bool StartBalance::holdPoints() {
     return changed;
 }
 
-/// Whether nothing is left to move. Turns count by the radius of gyration.
-bool StartBalance::isStill() const {
-    double fastest = 0;
+/// Squared, what moves a body by so much. Turns count by the radius of gyration.
+double StartBalance::squaredSpeed(std::uint32_t node, const Block3& speed) const {
+    const auto linear = static_cast<double>(inertias_[node].inverseMass);
+    const auto angular = static_cast<double>(inertias_[node].inverseInertia);
+    const double turning = angular > 0 ? speed[2] * speed[2] * linear / angular : 0;
+    return speed[0] * speed[0] + speed[1] * speed[1] + turning;
+}
+
+double StartBalance::squaredSpeedOfDrives() const {
     double most = 0;
     for (std::size_t i = 0; i < inertias_.size(); ++i) {
         const auto linear = static_cast<double>(inertias_[i].inverseMass);
-        const auto angular = static_cast<double>(inertias_[i].inverseInertia);
-        const Block3& speed = speeds_[i];
-        const double turning = angular > 0 ? speed[2] * speed[2] * linear / angular : 0;
-        fastest = std::max(fastest, speed[0] * speed[0] + speed[1] * speed[1] + turning);
         const Block3& drive = drives_[i];
         most = std::max(most, linear * linear * (drive[0] * drive[0] + drive[1] * drive[1]));
     }
-    return fastest <= kLeftOfStart * kLeftOfStart * most;
+    return most;
+}
+
+/// Whether nothing is left to move.
+bool StartBalance::isStill() const {
+    double fastest = 0;
+    for (std::uint32_t i = 0; i < inertias_.size(); ++i) { fastest = std::max(fastest, squaredSpeed(i, speeds_[i])); }
+    return fastest <= kLeftOfStart * kLeftOfStart * squaredSpeedOfDrives();
+}
+
+/// A joint that is made between bodies of a heap at rest asks for these alone: the others are carried by contacts that
+/// have their impulses, and stand fast. @return whether there are any
+bool StartBalance::leaveCarried() {
+    std::vector<std::uint8_t> isCarried(inertias_.size(), 1);
+    for (std::size_t i = 0; i < jointRows_.size(); ++i) {
+        for (const std::uint32_t node : {rows_[i].nodeA, rows_[i].nodeB}) {
+            if (node != kNoNode) { isCarried[node] = 0; }
+        }
+    }
+    speeds_ = drives_;
+    for (const Row& row : rows_) {
+        push(row, row.impulse);
+        *row.to = static_cast<Real>(row.impulse);
+    }
+    const double most = kLeftOfCarried * kLeftOfCarried * squaredSpeedOfDrives();
+    std::uint32_t count = 0;
+    std::vector<std::uint32_t> renamed(inertias_.size(), kNoNode);
+    for (std::uint32_t i = 0; i < inertias_.size(); ++i) {
+        const auto linear = static_cast<double>(inertias_[i].inverseMass);
+        const auto angular = static_cast<double>(inertias_[i].inverseInertia);
+        const Block3& left = speeds_[i];
+        const Block3 speed{linear * left[0], linear * left[1], angular * left[2]};
+        if (isCarried[i] == 0 || squaredSpeed(i, speed) > most) { renamed[i] = count++; }
+    }
+    if (count == inertias_.size()) { return false; }
+    heaviest_ = 0;
+    for (std::uint32_t i = 0; i < inertias_.size(); ++i) {
+        if (renamed[i] == kNoNode) { continue; }
+        inertias_[renamed[i]] = inertias_[i];
+        if (inertias_[i].inverseMass > 0) {
+            heaviest_ = std::max(heaviest_, 1 / static_cast<double>(inertias_[i].inverseMass));
+        }
+    }
+    inertias_.resize(count);
+    for (std::uint32_t& node : nodes_) {
+        if (node != kNoNode) { node = renamed[node]; }
+    }
+    return true;
 }
 
 bool StartBalance::find(SolverBatch& batch) {
     if (!listBodies(batch)) { return false; }
     listRows(batch);
+    findDrives(batch);
+    if (leaveCarried()) {
+        listRows(batch);
+        findDrives(batch);
+    }
     const auto count = static_cast<std::uint32_t>(inertias_.size());
     if (rows_.empty() || !matrix_.analyse(count, edges_, kMostStartBlocks * count)) { return false; }
-    findDrives(batch);
     bool isOld = true;
     bool isFound = false;
     for (int round = 0; round < kMostStartRounds && !isFound; ++round) {

@@ -14,7 +14,8 @@ namespace swept::inline SWEPT_PRECISION {
 /// while what hangs there falls, and is caught with up to twice the load.
 ///
 /// Rows are strong dampers around the impulses that they have, round after round (the method of multipliers, as in
-/// `DirectSolver`): of all impulses that balance the bodies those are found that differ least from these. Everything is
+/// `DirectSolver`): of all impulses that balance the bodies those are found that differ least from these. Bodies that
+/// contacts carry already, and no joint holds, are as fast as the ground: a heap is not sought anew. Everything is
 /// computed in double: what a round leaves is a difference of loads that are thousands of times as large.
 class StartBalance {
 public:
@@ -52,11 +53,14 @@ private:
     void addRow(const SolverBatch& batch, const DirectRow& row);
     void listRows(SolverBatch& batch);
     void findDrives(SolverBatch& batch);
+    bool leaveCarried();
     void push(const Row& row, double impulse);
     double speedOf(const Row& row) const;
     void assemble();
     double changeImpulses();
     bool holdPoints();
+    double squaredSpeed(std::uint32_t node, const Block3& speed) const;
+    double squaredSpeedOfDrives() const;
     bool isStill() const;
 
     std::vector<std::uint32_t> nodes_;   ///< by slot
