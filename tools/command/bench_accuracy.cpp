@@ -97,7 +97,7 @@ void addBenchAccuracy(Command bench) {
     command.option("--scenes", arguments->scenes, "Only these scenes or groups, separated by commas")
         .type("NAME,...")
         .separatedBy(',')
-        .oneOf(knownNames());
+        .oneOf(knownNames);
     command.flag("--long", arguments->isLong,
                  "Also the long scenes of all or of a group: stack-200, -500, -1000, pyramid-50, drop-97.0");
     const Option trade =

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -45,6 +46,17 @@ std::string faultOfNumber(const std::string& text) {
 }
 
 std::string faultOfText(const std::string& text) { return text.empty() ? "must not be empty" : ""; }
+
+/// One of what a list has that takes long to make: it is made when it is asked for.
+class MemberOfList : public CLI::Validator {
+public:
+    using List = std::function<std::vector<std::string>()>;
+
+    explicit MemberOfList(const List& list) {
+        desc_function_ = [list] { return CLI::IsMember(list()).get_description(); };
+        func_ = [list](std::string& value) { return CLI::IsMember(list())(value); };
+    }
+};
 
 template <class T>
 struct ValueOf {
@@ -161,6 +173,11 @@ Option Option::withinReals(double least, double most) const {
 
 Option Option::oneOf(const std::vector<std::string>& values) const {
     option_->check(CLI::IsMember(values));
+    return *this;
+}
+
+Option Option::oneOf(const std::function<std::vector<std::string>()>& list) const {
+    option_->check(MemberOfList(list));
     return *this;
 }
 

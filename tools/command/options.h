@@ -23,6 +23,8 @@ public:
     Option within(std::int64_t least, std::int64_t most) const;
     Option withinReals(double least, double most) const;
     Option oneOf(const std::vector<std::string>& values) const;
+    /// Likewise; they are listed only for a value that was given, and for the help.
+    Option oneOf(const std::function<std::vector<std::string>()>& list) const;
     Option required() const;
     /// Several values in one argument, between such characters.
     Option separatedBy(char delimiter) const;
