@@ -15,21 +15,13 @@ struct SliderRow {
     std::vector<BodyId> bodies;
 
     SliderRow(Profile profile, bool areDriven) : world(makeWorld(profile, 0)) {
-        for (int i = 0; i < 6; ++i) {
-            const DVec2 place = i * DVec2{1, 0.3};
-            bodies.push_back(addBody(world, dynamicAt(place), box(0.3, 0.2)));
-            if (i == 0) { continue; }
-            PrismaticJointDef slider;
-            slider.base = between(bodies[bodies.size() - 2], bodies.back());
-            slider.anchor = place;
-            slider.axis = {1, 0.3};
+        bodies = addSliderRow(world, 6, [areDriven](PrismaticJointDef& slider, int i) {
             if (areDriven) {
                 slider.motor = LinearMotor{.speed = real(i % 2 == 0 ? -1 : 1), .maxForce = 2};
             } else {
                 slider.limits = TranslationLimits{.lower = real(-1.2), .upper = real(1.2)};
             }
-            must(world.createJoint(slider));
-        }
+        });
         const BodyId wheel = addBody(world, dynamicAt({0, -0.5}), circle(0.2));
         RevoluteJointDef axle;
         axle.base = between(bodies.front(), wheel);

@@ -17,18 +17,9 @@ namespace {
 /// A row of boxes on sliders whose first one a mouse joint drags to and fro, for 10 s. @return the fastest one's speed
 double fastestDragged(Profile profile, int boxes, bool haveLimits, const MouseJointDef& mouse) {
     World world = makeWorld(profile, 0);
-    std::vector<BodyId> bodies;
-    for (int i = 0; i < boxes; ++i) {
-        const DVec2 place = i * DVec2{1, 0.3};
-        bodies.push_back(addBody(world, dynamicAt(place), box(0.3, 0.2)));
-        if (i == 0) { continue; }
-        PrismaticJointDef slider;
-        slider.base = between(bodies[bodies.size() - 2], bodies.back());
-        slider.anchor = place;
-        slider.axis = {1, 0.3};
+    const std::vector<BodyId> bodies = addSliderRow(world, boxes, [haveLimits](PrismaticJointDef& slider, int) {
         if (haveLimits) { slider.limits = TranslationLimits{.lower = real(-1.2), .upper = real(1.2)}; }
-        must(world.createJoint(slider));
-    }
+    });
     MouseJointDef def = mouse;
     def.base = between(anchorOf(world), bodies.front());
     const JointId hand = must(world.createJoint(def));
