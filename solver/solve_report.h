@@ -1,16 +1,34 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "../shapes/real.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// What the direct solver did in a step.
+/// What the direct solver did in a step. Of parts that are searched by themselves the one counts that took most.
 struct DirectReport {
     int factorisations = 0;
     int rounds = 0;   ///< of the search for what presses and what sticks
     int givenUp = 0;  ///< solves in which that was not found: left to iteration
+
+    void takeLarger(const DirectReport& other) {
+        factorisations = (std::max)(factorisations, other.factorisations);
+        rounds = (std::max)(rounds, other.rounds);
+    }
+    void add(const DirectReport& other) {
+        factorisations += other.factorisations;
+        rounds += other.rounds;
+    }
+};
+
+/// What the search for what presses and what sticks cost a body in a step.
+struct SearchEffort {
+    int rounds = 0;            ///< of what is searched together with it
+    std::uint32_t bodies = 0;  ///< of that
+    bool isLong = false;       ///< its island took more rounds than usual
+    bool isInVain = false;
 };
 
 /// What a solve did.

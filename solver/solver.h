@@ -69,8 +69,8 @@ public:
     /// taken for movable. @pre nothing is solved all at once; the batch has its joints, if there are any
     void colourAhead(SolverBatch& batch, bool onlyContacts, std::span<const BodySlot> standing = {});
 
-    /// `DirectSolver::tookLong` in the last solve. @pre its `SolveReport::isDirect`
-    bool tookLong(BodySlot slot) const { return direct_.tookLong(slot); }
+    /// Of the last solve. @pre its `SolveReport::isDirect`, of all contacts
+    SearchEffort searchEffortOf(BodySlot slot) const { return direct_.effortOf(slot); }
 
 private:
     /// A colour, and those that were joined to it.

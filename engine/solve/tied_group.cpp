@@ -124,22 +124,20 @@ SolveReport solveBatch(WorldState& world, const TiedGroup& group, const SolverSe
 }
 
 /// Only who took long pays: beside one heap that is searched in vain others are solved all at once.
-/// @param isSolved  see `solveGroup`
-void rememberSearch(WorldState& world, const TiedGroup& group, const StepPart& part, const SolveReport& report,
-                    bool isSolved) {
+void rememberSearch(WorldState& world, const TiedGroup& group, const StepPart& part, const SolveReport& report) {
     const SolveDesk& desk = group.desk;
-    const SearchCost cost{.rounds = report.direct.rounds,
-                          .subSteps = part.subSteps,
-                          .bodies = desk.batch.states.size() - 1,
-                          .isLarge = group.effort.isLarge,
-                          .isSolved = isSolved};
-    const bool isNothingSearched = !report.isDirect;
     for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
         Body& body = world.bodies[desk.bodies[i]];
         if (!isMember(body, group)) { continue; }
-        if (isNothingSearched || desk.solver.tookLong(static_cast<BodySlot>(i + 1))) {
-            body.searchDebt = searchDebtAfter(body.searchDebt, cost);
-        }
+        const SearchEffort own = report.isDirect ? desk.solver.searchEffortOf(static_cast<BodySlot>(i + 1))
+                                                 : SearchEffort{.isLong = true, .isInVain = true};
+        if (!own.isLong) { continue; }
+        const SearchCost cost{.rounds = own.rounds,
+                              .subSteps = part.subSteps,
+                              .bodies = own.bodies,
+                              .isLarge = group.effort.isLarge,
+                              .isSolved = !own.isInVain};
+        body.searchDebt = searchDebtAfter(body.searchDebt, cost);
     }
 }
 
@@ -189,7 +187,7 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     readBodies(world, group, plan.time, plan.h);
     const bool isSearch = plan.scope == DirectScope::all;
     const bool isSolved = !isSearch || (report.isDirect && report.direct.givenUp == 0);
-    if (isSearch) { rememberSearch(world, group, part, report, isSolved); }
+    if (isSearch) { rememberSearch(world, group, part, report); }
     countSolve(desk, report, part.subSteps, group.effort.isSettled, contacts.count() + group.joints.size());
     return isSolved;
 }

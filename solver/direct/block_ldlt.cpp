@@ -7,6 +7,8 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+constexpr std::uint32_t kNotYet = ~std::uint32_t{0};  // position of what is not eliminated
+
 /// L·D·Lᵀ of a symmetric block, in place: D on the diagonal, L below it. Only the lower half is read.
 void factoriseBlock(Block33& m) {
     m[3] /= m[0];
@@ -56,34 +58,43 @@ void addUnique(std::vector<std::uint32_t>& sorted, std::uint32_t value) {
 }  // namespace
 
 bool BlockLdlt::analyse(std::uint32_t nodes, std::span<const BlockEdge> edges, std::size_t mostBlocks) {
+    const NodeRange whole{0, nodes};
+    return analyse({&whole, 1}, edges, mostBlocks);
+}
+
+bool BlockLdlt::analyse(std::span<const NodeRange> parts, std::span<const BlockEdge> edges, std::size_t mostBlocks) {
     const auto isSame = [](const BlockEdge& x, const BlockEdge& y) { return x.a == y.a && x.b == y.b; };
-    if (position_.size() == nodes && std::equal(edges.begin(), edges.end(), edges_.begin(), edges_.end(), isSame)) {
+    const auto isSamePart = [](const NodeRange& x, const NodeRange& y) { return x.begin == y.begin && x.end == y.end; };
+    if (std::equal(parts.begin(), parts.end(), parts_.begin(), parts_.end(), isSamePart) &&
+        std::equal(edges.begin(), edges.end(), edges_.begin(), edges_.end(), isSame)) {
         return fits_;
     }
     edges_.assign(edges.begin(), edges.end());
+    parts_.assign(parts.begin(), parts.end());
+    const std::uint32_t nodes = parts.empty() ? 0 : parts.back().end;
     if (neighbours_.size() < nodes) { neighbours_.resize(nodes); }
     for (std::uint32_t i = 0; i < nodes; ++i) { neighbours_[i].clear(); }
     for (const BlockEdge& edge : edges) {
         addUnique(neighbours_[edge.a], edge.b);
         addUnique(neighbours_[edge.b], edge.a);
     }
-    fits_ = order(nodes, mostBlocks);
+    position_.assign(nodes, kNotYet);
+    begins_.assign(1, 0);
+    rows_.clear();
+    fits_ = std::all_of(parts.begin(), parts.end(),
+                        [this, mostBlocks](const NodeRange& part) { return order(part, mostBlocks); });
     if (fits_) { place(); }
     return fits_;
 }
 
-bool BlockLdlt::order(std::uint32_t nodes, std::size_t mostBlocks) {
-    constexpr std::uint32_t kNotYet = ~std::uint32_t{0};
+bool BlockLdlt::order(NodeRange part, std::size_t mostBlocks) {
     const std::greater<> later;
-    position_.assign(nodes, kNotYet);
-    begins_.assign(1, 0);
-    rows_.clear();
     heap_.clear();
-    for (std::uint32_t i = 0; i < nodes; ++i) {
+    for (std::uint32_t i = part.begin; i < part.end; ++i) {
         heap_.emplace_back(static_cast<std::uint32_t>(neighbours_[i].size()), i);
     }
     std::make_heap(heap_.begin(), heap_.end(), later);
-    std::uint32_t next = 0;
+    std::uint32_t next = part.begin;
     while (!heap_.empty()) {
         std::pop_heap(heap_.begin(), heap_.end(), later);
         const auto [degree, node] = heap_.back();
@@ -129,7 +140,9 @@ void BlockLdlt::place() {
         pairs += count * (count + 1) / 2;
     }
     if (targets_.capacity() < pairs) { targets_.reserve(std::max(pairs, 2 * targets_.capacity())); }
+    targetBegins_.clear();
     for (std::uint32_t c = 0; c < columns; ++c) {
+        targetBegins_.push_back(targets_.size());
         for (std::uint32_t i = begins_[c]; i < begins_[c + 1]; ++i) {
             for (std::uint32_t k = begins_[c]; k < i; ++k) { targets_.push_back(blockAt(rows_[i], rows_[k])); }
             targets_.push_back(kDiagonalBit | rows_[i]);
@@ -146,9 +159,9 @@ BlockLdlt::OffDiagonal BlockLdlt::offDiagonal(std::uint32_t a, std::uint32_t b) 
     return {blocks_[blockAt(std::max(placeA, placeB), std::min(placeA, placeB))], placeB > placeA};
 }
 
-void BlockLdlt::clear() {
-    std::fill(diagonal_.begin(), diagonal_.end(), Block33{});
-    std::fill(blocks_.begin(), blocks_.end(), Block33{});
+void BlockLdlt::clear(NodeRange part) {
+    std::fill(diagonal_.data() + part.begin, diagonal_.data() + part.end, Block33{});
+    std::fill(blocks_.data() + begins_[part.begin], blocks_.data() + begins_[part.end], Block33{});
 }
 
 void eliminateColumn(const BlockColumn& column, std::span<SpreadBlock> scratch) {
@@ -174,36 +187,33 @@ void eliminateColumn(const BlockColumn& column, std::span<SpreadBlock> scratch) 
 EliminateColumn columnKernel() { return nullptr; }
 #endif
 
-void BlockLdlt::factorise() {
+void BlockLdlt::factorise(NodeRange part) {
     const EliminateColumn kernel = columnKernel();
     const EliminateColumn take = kernel != nullptr ? kernel : eliminateColumn;
-    const std::uint32_t* targets = targets_.data();
-    for (std::size_t c = 0; c < diagonal_.size(); ++c) {
+    for (std::uint32_t c = part.begin; c < part.end; ++c) {
         factoriseBlock(diagonal_[c]);
         const std::size_t count = begins_[c + 1] - begins_[c];
         if (count == 0) { continue; }
         if (spread_.size() < count) { spread_.resize(count); }
         const std::span<Block33> blocks(blocks_.data() + begins_[c], count);
-        take({diagonal_[c], blocks, targets, diagonal_.data(), blocks_.data()}, spread_);
-        targets += count * (count + 1) / 2;
+        take({diagonal_[c], blocks, targets_.data() + targetBegins_[c], diagonal_.data(), blocks_.data()}, spread_);
     }
 }
 
-void BlockLdlt::solve(std::span<Block3> values) const {
-    const std::size_t columns = diagonal_.size();
-    for (std::size_t node = 0; node < columns; ++node) { scratch_[position_[node]] = values[node]; }
-    for (std::size_t c = 0; c < columns; ++c) {
+void BlockLdlt::solve(std::span<Block3> values, NodeRange part) const {
+    for (std::uint32_t node = part.begin; node < part.end; ++node) { scratch_[position_[node]] = values[node]; }
+    for (std::uint32_t c = part.begin; c < part.end; ++c) {
         for (std::uint32_t i = begins_[c]; i < begins_[c + 1]; ++i) {
             subtract(scratch_[rows_[i]], blocks_[i], scratch_[c]);
         }
     }
-    for (std::size_t c = columns; c-- > 0;) {
+    for (std::uint32_t c = part.end; c-- > part.begin;) {
         scratch_[c] = solveBlock(diagonal_[c], scratch_[c]);
         for (std::uint32_t i = begins_[c]; i < begins_[c + 1]; ++i) {
             subtractTransposed(scratch_[c], blocks_[i], scratch_[rows_[i]]);
         }
     }
-    for (std::size_t node = 0; node < columns; ++node) { values[node] = scratch_[position_[node]]; }
+    for (std::uint32_t node = part.begin; node < part.end; ++node) { values[node] = scratch_[position_[node]]; }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

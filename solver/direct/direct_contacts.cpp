@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "direct_parts.h"
 
@@ -26,8 +27,44 @@ constexpr double kLeftOfSqueezed = 1.0 / 8;
 void DirectContacts::begin(std::size_t nodes, bool isPatient) {
     isPatient_ = isPatient;
     points_.clear();
-    spareRounds_ = spareRoundsFor(nodes);
+    parts_.clear();
     takesLong_.assign(nodes, 0);
+}
+
+/// Contacts part by part; within one their order stays.
+void DirectContacts::orderByPart(const SolverBatch& batch, const DirectSystem& system) {
+    const std::span<const NodeRange> parts = system.parts();
+    partOf_.resize(system.nodes().size());
+    for (std::uint32_t i = 0; i < parts.size(); ++i) {
+        std::fill(partOf_.begin() + parts[i].begin, partOf_.begin() + parts[i].end, i);
+    }
+    const auto partOf = [&](const ContactConstraint& contact) {
+        const std::uint32_t a = system.nodeOf(contact.slotA);
+        const std::uint32_t node = a != kNoNode ? a : system.nodeOf(contact.slotB);
+        return node != kNoNode ? partOf_[node] : kNoNode;
+    };
+    next_.assign(parts.size() + 1, 0);
+    for (const ContactConstraint& contact : batch.contacts) {
+        if (const std::uint32_t part = partOf(contact); part != kNoNode) { ++next_[part + 1]; }
+    }
+    std::partial_sum(next_.begin(), next_.end(), next_.begin());
+    order_.resize(next_.back());
+    for (std::uint32_t i = 0; i < batch.contacts.size(); ++i) {
+        if (const std::uint32_t part = partOf(batch.contacts[i]); part != kNoNode) { order_[next_[part]++] = i; }
+    }
+}
+
+void DirectContacts::addPoints(SolverBatch& batch, ContactConstraint& contact, DirectSystem& system) {
+    const std::uint32_t a = system.nodeOf(contact.slotA);
+    const std::uint32_t island = system.islandOf(a != kNoNode ? a : system.nodeOf(contact.slotB));
+    for (int i = 0; i < contact.count; ++i) {
+        ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
+        points_.push_back({.contact = &contact,
+                           .point = &point,
+                           .island = island,
+                           .normal = system.rowOf(batch.inertias, normalRowOf(contact, point, 0)),
+                           .tangent = system.rowOf(batch.inertias, tangentRowOf(contact, point))});
+    }
 }
 
 void DirectContacts::list(SolverBatch& batch, DirectSystem& system) {
@@ -35,20 +72,25 @@ void DirectContacts::list(SolverBatch& batch, DirectSystem& system) {
     std::size_t points = 0;
     for (const ContactConstraint& contact : batch.contacts) { points += static_cast<std::size_t>(contact.count); }
     if (points_.capacity() < points) { points_.reserve(std::max(points, 2 * points_.capacity())); }
-    for (ContactConstraint& contact : batch.contacts) {
-        const std::uint32_t a = system.nodeOf(contact.slotA);
-        const std::uint32_t b = system.nodeOf(contact.slotB);
-        if (a == kNoNode && b == kNoNode) { continue; }
-        const std::uint32_t island = system.islandOf(a != kNoNode ? a : b);
-        for (int i = 0; i < contact.count; ++i) {
-            ContactConstraintPoint& point = contact.points[static_cast<std::size_t>(i)];
-            points_.push_back({.contact = &contact,
-                               .point = &point,
-                               .island = island,
-                               .normal = system.rowOf(batch.inertias, normalRowOf(contact, point, 0)),
-                               .tangent = system.rowOf(batch.inertias, tangentRowOf(contact, point))});
-        }
+    orderByPart(batch, system);
+    std::size_t taken = 0;
+    for (std::size_t i = 0; i < system.parts().size(); ++i) {
+        const NodeRange nodes = system.parts()[i];
+        Part part{.nodes = nodes, .begin = points_.size(), .spareRounds = spareRoundsFor(nodes.end - nodes.begin)};
+        for (; taken < next_[i]; ++taken) { addPoints(batch, batch.contacts[order_[taken]], system); }
+        part.end = points_.size();
+        parts_.push_back(part);
     }
+}
+
+SearchEffort DirectContacts::effortOf(std::uint32_t island) const {
+    const auto after = std::upper_bound(parts_.begin(), parts_.end(), island,
+                                        [](std::uint32_t one, const Part& part) { return one < part.nodes.begin; });
+    const Part& part = *(after - 1);
+    return {.rounds = part.rounds,
+            .bodies = part.nodes.end - part.nodes.begin,
+            .isLong = takesLong_[island] != 0,
+            .isInVain = part.isInVain};
 }
 
 void DirectContacts::beginFirstHalf() {
@@ -101,7 +143,7 @@ void DirectContacts::gather(const SolverBatch& batch, Real h, bool useBias) {
         contact.partings = 0;
         contact.normalHold = isOut ? Hold::free : Hold::held;
     }
-    guessHolds();
+    guessHolds(points_);
 }
 
 /// Whether something is between a kinematic body that comes and what does not yield: it still comes nearer, as fast as
@@ -109,19 +151,21 @@ void DirectContacts::gather(const SolverBatch& batch, Real h, bool useBias) {
 /// flings the body away, when iteration takes over. (A box of 0.4 kg under a lift of 1.6 m/s: 5e4 N·s in a sub-step,
 /// 7 km/s.)
 bool DirectContacts::isSqueezed(const SolverBatch& batch, const DirectSystem& system) {
-    if (!hasTightened_) { return false; }
     const auto moves = [&batch](BodySlot slot) {
         const BodyState& state = batch.states[slot];
         return !isMovable(batch.inertias[slot]) && (state.velocity != Vec2{} || state.angularVelocity != 0);
     };
     bool any = false;
-    for (const Point& contact : points_) {
-        const SystemRow& normal = contact.normal;
-        if (contact.normalHold != Hold::held || !(normal.excess < 0)) { continue; }
-        if (!moves(contact.contact->slotA) && !moves(contact.contact->slotB)) { continue; }
-        if (system.changedExcess(normal) >= kLeftOfSqueezed * normal.excess) { continue; }
-        takesLong_[contact.island] = 1;
-        any = true;
+    for (Part& part : parts_) {
+        if (!part.hasTightened) { continue; }
+        for (const Point& contact : pointsOf(part)) {
+            const SystemRow& normal = contact.normal;
+            if (contact.normalHold != Hold::held || !(normal.excess < 0)) { continue; }
+            if (!moves(contact.contact->slotA) && !moves(contact.contact->slotB)) { continue; }
+            if (system.changedExcess(normal) >= kLeftOfSqueezed * normal.excess) { continue; }
+            takesLong_[contact.island] = 1;
+            part.isInVain = any = true;
+        }
     }
     return any;
 }

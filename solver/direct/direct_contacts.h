@@ -24,6 +24,7 @@ class DirectContacts {
 public:
     /// Once a step. @param isPatient  of many bodies: more rounds
     void begin(std::size_t nodes, bool isPatient);
+    /// Each part of the system is searched by itself: what goes to and fro in one holds up no other.
     /// @pre contacts stay where they are until the step ends
     void list(SolverBatch& batch, DirectSystem& system);
     bool isEmpty() const { return points_.empty(); }
@@ -47,14 +48,12 @@ public:
     /// @param isLast  of the step: small ones count, too
     /// @return whether some separation is too large
     bool gatherOverlaps(const SolverBatch& batch, const DirectSystem& system, Real h, bool isLast);
-    /// The matrix of joints and contacts, as these are held. @param tangentShare  of their strength that rows of
-    /// friction have
-    void assemble(DirectSystem& system, const DirectJoints& joints, DirectReport& report, double tangentShare = 1);
-    /// The change that they make.
-    void computeChange(DirectSystem& system, const DirectJoints& joints) const;
+    /// The change that moves joints and contacts, as these are held, by their excess.
+    /// @param tangentShare  of their strength that rows of friction have
+    void computeProjection(DirectSystem& system, const DirectJoints& joints, DirectReport& report, double tangentShare);
 
-    /// Whether contacts of an island took more rounds than usual in this step. @param island  its first node
-    bool tookLong(std::uint32_t island) const { return takesLong_[island] != 0; }
+    /// What the search cost a body in this step. @param island  the first node of its own
+    SearchEffort effortOf(std::uint32_t island) const;
 
 private:
     struct Point {
@@ -73,27 +72,51 @@ private:
         Real first = 0;  ///< impulses of the first half
         Real tangentFirst = 0;
     };
+    /// What is searched by itself.
+    struct Part {
+        NodeRange nodes;
+        std::size_t begin = 0;  ///< of its points
+        std::size_t end = 0;
+        int spareRounds = 0;        ///< since the step began, for what takes more than the usual
+        int rounds = 0;             ///< since the step began
+        bool hasTightened = false;  ///< in the last search
+        bool isInVain = false;      ///< likewise: nothing was found
+    };
 
+    void orderByPart(const SolverBatch& batch, const DirectSystem& system);
+    void addPoints(SolverBatch& batch, ContactConstraint& contact, DirectSystem& system);
+    std::span<Point> pointsOf(const Part& part) {
+        return std::span(points_).subspan(part.begin, part.end - part.begin);
+    }
+    std::span<const Point> pointsOf(const Part& part) const {
+        return std::span(points_).subspan(part.begin, part.end - part.begin);
+    }
     // direct_search.cpp
-    void guessHolds();
-    bool holdsAsBefore(const DirectSystem& system, const DirectJoints& joints) const;
-    bool searchIn(DirectSystem& system, const DirectJoints& joints, DirectReport& report);
-    bool settle(DirectSystem& system, const DirectJoints& joints, DirectReport& report);
-    void findNoise(const DirectSystem& system);
+    void assemble(const Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report,
+                  double tangentShare = 1);
+    void computeChange(const Part& part, DirectSystem& system, const DirectJoints& joints) const;
+    static void guessHolds(std::span<Point> points);
+    bool holdsAsBefore(const Part& part, const DirectSystem& system, const DirectJoints& joints) const;
+    bool searchPart(Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report);
+    bool searchIn(Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report);
+    bool settle(const Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report);
+    void findNoise(const Part& part, const DirectSystem& system);
     bool noted(const Point& point, bool isOther);
-    bool classify(const DirectSystem& system, bool isFirm);
-    bool followLimits();
-    bool tighten();
-    double slopeAt(const DirectSystem& system, double part) const;
-    double searchLine(const DirectSystem& system);
+    bool classify(const Part& part, const DirectSystem& system, bool isFirm);
+    bool followLimits(const Part& part);
+    bool tighten(const Part& part);
+    double slopeAt(const Part& part, const DirectSystem& system, double share) const;
+    double searchLine(const Part& part, const DirectSystem& system);
 
     bool isPatient_ = false;
-    bool hasTightened_ = false;  ///< in the last search
-    std::vector<Point> points_;
-    std::vector<std::uint8_t> holds_;      ///< which of them were held when the matrix was factorised
-    int roundsLeft_ = 0;                   ///< of this solve
+    std::vector<Point> points_;  ///< part by part
+    std::vector<Part> parts_;
+    std::vector<std::uint32_t> partOf_;    ///< by node; scratch of `orderByPart`, as the next one
+    std::vector<std::uint32_t> next_;      ///< by part: after the last contact of it in
+    std::vector<std::uint32_t> order_;     ///< contacts, part by part
+    std::vector<std::uint8_t> holds_;      ///< which of the points were held when the matrix was factorised
+    int roundsLeft_ = 0;                   ///< of this search
     int notedFrom_ = 0;                    ///< from so many left on it is noted who takes them
-    int spareRounds_ = 0;                  ///< since the step began, for what takes more than the usual
     std::vector<std::uint8_t> takesLong_;  ///< by the first node of an island
     std::vector<Block3> place_;            ///< where the search stands: the last change that was tried
     std::vector<double> noise_;            ///< impulses of no meaning in an island, by its first node

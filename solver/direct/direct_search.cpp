@@ -55,24 +55,25 @@ constexpr std::uint8_t holdsOf(bool presses, bool sticks) {
 
 }  // namespace
 
-void DirectContacts::assemble(DirectSystem& system, const DirectJoints& joints, DirectReport& report,
+void DirectContacts::assemble(const Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report,
                               double tangentShare) {
-    system.beginMatrix();
+    system.beginMatrix(part.nodes);
     joints.addTo(system);
-    holds_.clear();
-    for (const Point& contact : points_) {
+    holds_.resize(points_.size());
+    for (std::size_t i = part.begin; i < part.end; ++i) {
+        const Point& contact = points_[i];
         const bool presses = contact.normalHold == Hold::held;
         const bool sticks = contact.tangentHold == Hold::held;
-        holds_.push_back(holdsOf(presses, sticks));
+        holds_[i] = holdsOf(presses, sticks);
         if (presses) { system.add(contact.normal); }
         if (sticks) { system.add(contact.tangent, tangentShare); }
     }
-    system.factorise();
+    system.factorise(part.nodes);
     ++report.factorisations;
 }
 
-void DirectContacts::computeChange(DirectSystem& system, const DirectJoints& joints) const {
-    system.beginChange();
+void DirectContacts::computeChange(const Part& part, DirectSystem& system, const DirectJoints& joints) const {
+    system.beginChange(part.nodes);
     joints.push(system);
     const auto push = [&system](const SystemRow& row, Hold hold) {
         if (hold == Hold::held) {
@@ -81,16 +82,28 @@ void DirectContacts::computeChange(DirectSystem& system, const DirectJoints& joi
             system.push(row, row.impulse);
         }
     };
-    for (const Point& contact : points_) {
+    for (const Point& contact : pointsOf(part)) {
         push(contact.normal, contact.normalHold);
         push(contact.tangent, contact.tangentHold);
     }
-    system.solve();
+    system.solve(part.nodes);
 }
 
-bool DirectContacts::holdsAsBefore(const DirectSystem& system, const DirectJoints& joints) const {
-    if (!system.isFactorised() || !joints.isEmpty()) { return false; }
-    for (std::size_t i = 0; i < points_.size(); ++i) {
+void DirectContacts::computeProjection(DirectSystem& system, const DirectJoints& joints, DirectReport& report,
+                                       double tangentShare) {
+    DirectReport most;
+    for (const Part& part : parts_) {
+        DirectReport own;
+        assemble(part, system, joints, own, tangentShare);
+        computeChange(part, system, joints);
+        most.takeLarger(own);
+    }
+    report.add(most);
+}
+
+bool DirectContacts::holdsAsBefore(const Part& part, const DirectSystem& system, const DirectJoints& joints) const {
+    if (!system.isFactorised(part.nodes) || !joints.isEmpty()) { return false; }
+    for (std::size_t i = part.begin; i < part.end; ++i) {
         if (holdsOf(points_[i].normalHold == Hold::held, points_[i].tangentHold == Hold::held) != holds_[i]) {
             return false;
         }
@@ -98,8 +111,8 @@ bool DirectContacts::holdsAsBefore(const DirectSystem& system, const DirectJoint
     return true;
 }
 
-void DirectContacts::guessHolds() {
-    for (Point& contact : points_) {
+void DirectContacts::guessHolds(std::span<Point> points) {
+    for (Point& contact : points) {
         if (contact.normalHold == Hold::free) {
             contact.tangentHold = Hold::free;
             continue;
@@ -114,8 +127,8 @@ void DirectContacts::guessHolds() {
     }
 }
 
-void DirectContacts::findNoise(const DirectSystem& system) {
-    for (const Point& contact : points_) {
+void DirectContacts::findNoise(const Part& part, const DirectSystem& system) {
+    for (const Point& contact : pointsOf(part)) {
         double& noise = noise_[contact.island];
         noise = std::max(noise, kBrinkRatio * contact.normal.guess);
         if (contact.normalHold == Hold::held) {
@@ -133,9 +146,9 @@ bool DirectContacts::noted(const Point& contact, bool isOther) {
 /// Impulses and holds by what the dampers say after the change.
 /// @param isFirm  what is at the brink stays as it was
 /// @return whether anything is held otherwise than before
-bool DirectContacts::classify(const DirectSystem& system, bool isFirm) {
+bool DirectContacts::classify(const Part& part, const DirectSystem& system, bool isFirm) {
     bool changed = false;
-    for (Point& contact : points_) {
+    for (Point& contact : pointsOf(part)) {
         if (contact.normalHold == Hold::free) { continue; }
         bool isOther = false;
         const auto set = [&isOther](Hold& hold, Hold now) {
@@ -168,20 +181,21 @@ bool DirectContacts::classify(const DirectSystem& system, bool isFirm) {
     return changed;
 }
 
-double DirectContacts::slopeAt(const DirectSystem& system, double part) const {
+/// @param share  of the way
+double DirectContacts::slopeAt(const Part& part, const DirectSystem& system, double share) const {
     const std::span<const Block3> change = system.change();
     double slope = 0;
-    for (std::size_t i = 0; i < change.size(); ++i) {
+    for (std::size_t i = part.nodes.begin; i < part.nodes.end; ++i) {
         const DirectSystem::Node& node = system.nodes()[i];
         for (std::size_t k = 0; k < 3; ++k) {
             const double way = change[i][k] - place_[i][k];
-            slope += (k < 2 ? node.mass : node.inertia) * way * (place_[i][k] + part * way);
+            slope += (k < 2 ? node.mass : node.inertia) * way * (place_[i][k] + share * way);
         }
     }
-    for (const Point& contact : points_) {
+    for (const Point& contact : pointsOf(part)) {
         if (contact.normalHold == Hold::free) { continue; }
-        const auto impulseOf = [&system, part](const SystemRow& row, double least, double most) {
-            return std::clamp(system.pullOf(row, row.at + part * row.along), least, most);
+        const auto impulseOf = [&system, share](const SystemRow& row, double least, double most) {
+            return std::clamp(system.pullOf(row, row.at + share * row.along), least, most);
         };
         const double pressed = impulseOf(contact.normal, 0, std::numeric_limits<double>::infinity());
         const double limit = std::isinf(contact.limit) && !(pressed > 0) ? 0 : contact.limit;
@@ -190,9 +204,9 @@ double DirectContacts::slopeAt(const DirectSystem& system, double part) const {
     return slope;
 }
 
-/// From `place_` towards the change, to about the lowest point of the function. @return the part of the way
-double DirectContacts::searchLine(const DirectSystem& system) {
-    for (Point& contact : points_) {
+/// From `place_` towards the change, to about the lowest point of the function. @return the share of the way
+double DirectContacts::searchLine(const Part& part, const DirectSystem& system) {
+    for (Point& contact : pointsOf(part)) {
         for (SystemRow* const row : {&contact.normal, &contact.tangent}) {
             const double there = system.changedExcess(*row);
             row->at = DirectSystem::excessAfter(*row, place_);
@@ -200,15 +214,15 @@ double DirectContacts::searchLine(const DirectSystem& system) {
         }
     }
     double high = 1;
-    double highSlope = slopeAt(system, 1);
+    double highSlope = slopeAt(part, system, 1);
     double low = 0;
-    double lowSlope = slopeAt(system, 0);
+    double lowSlope = slopeAt(part, system, 0);
     if (!(highSlope > 0) || !(lowSlope < 0)) { return 1; }
     const double small = -kSlopeRatio * lowSlope;
     for (int i = 0; i < kMostLineSteps; ++i) {
         const double secant = low + (high - low) * (lowSlope / (lowSlope - highSlope));
         const double middle = i % 2 == 0 ? secant : 0.5 * (low + high);
-        const double slope = slopeAt(system, middle);
+        const double slope = slopeAt(part, system, middle);
         if (std::fabs(slope) <= small) { return middle; }
         (slope < 0 ? low : high) = middle;
         (slope < 0 ? lowSlope : highSlope) = slope;
@@ -217,37 +231,38 @@ double DirectContacts::searchLine(const DirectSystem& system) {
 }
 
 /// The minimum for the limits of friction that there are. @return whether it was found
-bool DirectContacts::settle(DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
+bool DirectContacts::settle(const Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
     const std::span<Block3> change = system.change();
     bool hasPlace = false;
     const int mostRounds = isPatient_ ? kMostRoundsOfPatient : kMostRounds;
     for (int round = 0; round < mostRounds && roundsLeft_-- > 0; ++round) {
-        if (!holdsAsBefore(system, joints)) { assemble(system, joints, report); }
-        computeChange(system, joints);
+        if (!holdsAsBefore(part, system, joints)) { assemble(part, system, joints, report); }
+        computeChange(part, system, joints);
         ++report.rounds;
-        if (round == 0) { findNoise(system); }
-        if (!classify(system, true)) { return true; }
+        if (round == 0) { findNoise(part, system); }
+        if (!classify(part, system, true)) { return true; }
         if (hasPlace) {
-            const double part = searchLine(system);
-            if (part < 1) {
-                for (std::size_t i = 0; i < change.size(); ++i) {
+            const double share = searchLine(part, system);
+            if (share < 1) {
+                for (std::size_t i = part.nodes.begin; i < part.nodes.end; ++i) {
                     for (std::size_t k = 0; k < 3; ++k) {
-                        change[i][k] = place_[i][k] + part * (change[i][k] - place_[i][k]);
+                        change[i][k] = place_[i][k] + share * (change[i][k] - place_[i][k]);
                     }
                 }
-                classify(system, false);
+                classify(part, system, false);
             }
         }
-        place_.assign(change.begin(), change.end());
+        std::copy(change.begin() + part.nodes.begin, change.begin() + part.nodes.end,
+                  place_.begin() + part.nodes.begin);
         hasPlace = true;
     }
     return false;
 }
 
 /// @return whether some limit was too far from what its normal impulse says
-bool DirectContacts::followLimits() {
+bool DirectContacts::followLimits(const Part& part) {
     bool isFar = false;
-    for (Point& contact : points_) {
+    for (Point& contact : pointsOf(part)) {
         if (contact.normalHold == Hold::free) { continue; }
         // What is at the brink may be held by a trace less than nothing.
         const double limit = static_cast<double>(contact.contact->friction) * std::max(contact.normal.impulse, 0.0);
@@ -263,16 +278,16 @@ bool DirectContacts::followLimits() {
 
 /// Impulses that moved far are where dampers still give way: around the new ones they do so by a small part of that.
 /// @return whether there were any
-bool DirectContacts::tighten() {
+bool DirectContacts::tighten(const Part& part) {
     bool isFar = false;
-    for (const Point& contact : points_) {
+    for (const Point& contact : pointsOf(part)) {
         const double change = std::fabs(contact.normal.impulse - contact.normal.guess);
         const double rub = std::fabs(contact.tangent.impulse - contact.tangent.guess);
         const bool isTooFar = std::max(change, rub) > kFarRatio * (noise_[contact.island] / kBrinkRatio);
         isFar = noted(contact, isTooFar) || isFar;
     }
     if (!isFar) { return false; }
-    for (Point& contact : points_) {
+    for (Point& contact : pointsOf(part)) {
         if (contact.normalHold == Hold::free) { continue; }
         contact.normal.guess = contact.normal.impulse;
         contact.tangent.guess = contact.tangent.impulse;
@@ -280,34 +295,50 @@ bool DirectContacts::tighten() {
     return true;
 }
 
-bool DirectContacts::searchIn(DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
-    noise_.assign(system.nodes().size(), 0);
-    hasTightened_ = false;
+bool DirectContacts::searchIn(Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
+    part.hasTightened = false;
     const double weaker = isPatient_ ? kWeakerOfPatient : kWeaker;
     int tightenings = 0;
     for (int round = 0; round < kMostLimitRounds; ++round) {
-        while (!settle(system, joints, report)) {
+        while (!settle(part, system, joints, report)) {
             if (!(system.strength() > kWeakest) || roundsLeft_ <= 0) { return false; }
             system.setStrength(weaker * system.strength());
-            guessHolds();
+            guessHolds(pointsOf(part));
         }
-        if (!followLimits()) {
-            if (tightenings == kMostTightenings || !tighten()) { break; }
+        if (!followLimits(part)) {
+            if (tightenings == kMostTightenings || !tighten(part)) { break; }
             ++tightenings;
         }
-        classify(system, false);
+        classify(part, system, false);
     }
-    hasTightened_ = tightenings > 0;
+    part.hasTightened = tightenings > 0;
     return true;
 }
 
-bool DirectContacts::search(DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
+bool DirectContacts::searchPart(Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
     const int most = isPatient_ ? kMostRoundsOfPatientSolve
-                                : std::min(kMostRoundsOfSolve, kUsualRoundsOfSolve + std::max(spareRounds_, 0));
+                                : std::min(kMostRoundsOfSolve, kUsualRoundsOfSolve + std::max(part.spareRounds, 0));
     roundsLeft_ = most;
     notedFrom_ = most - kRoundsOfNoNote;
-    const bool isFound = searchIn(system, joints, report);
-    spareRounds_ -= std::max(most - roundsLeft_ - kUsualRoundsOfSolve, 0);
+    system.setStrength(1);
+    const bool isFound = searchIn(part, system, joints, report);
+    part.spareRounds -= std::max(most - roundsLeft_ - kUsualRoundsOfSolve, 0);
+    return isFound;
+}
+
+bool DirectContacts::search(DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
+    noise_.assign(system.nodes().size(), 0);
+    place_.resize(system.nodes().size());
+    DirectReport most;
+    bool isFound = true;
+    for (Part& part : parts_) {
+        DirectReport own;
+        part.isInVain = !searchPart(part, system, joints, own);
+        part.rounds += own.rounds;
+        most.takeLarger(own);
+        isFound = isFound && !part.isInVain;  // the others are searched all the same: so it is known which are in vain
+    }
+    report.add(most);
     return isFound;
 }
 

@@ -64,11 +64,15 @@ void DirectSolver::listNodes(const SolverBatch& batch) {
 }
 
 bool DirectSolver::couple(const SolverBatch& batch) {
-    forEachHeldKind(batch, [this](const auto& joints) { system_.couple(joints); });
+    bool hasJoints = false;
+    forEachHeldKind(batch, [this, &hasJoints](const auto& joints) {
+        system_.couple(joints);
+        hasJoints = hasJoints || !joints.empty();
+    });
     if (holdsDrives(scope_)) { system_.couple(batch.motors); }
     if (scope_ != DirectScope::all) { return system_.analyse({}, false); }
     system_.couple(batch.contacts);
-    return system_.analyse(batch.contacts, true);
+    return system_.analyse(batch.contacts, true, !hasJoints);
 }
 
 bool DirectSolver::findImpulses(const SolverBatch& batch, DirectReport& report) {
@@ -116,8 +120,7 @@ void DirectSolver::project(SolverBatch& batch, Real h, bool always, DirectReport
     if (contacts_.isEmpty() || !contacts_.gatherOverlaps(batch, system_, h, always)) { return; }
     joints_.gatherAtRest(batch, system_, h);
     system_.setStrength(kProjectionStrength);
-    contacts_.assemble(system_, joints_, report, kTangentShare);
-    contacts_.computeChange(system_, joints_);
+    contacts_.computeProjection(system_, joints_, report, kTangentShare);
     system_.forgetFactor();
     system_.dropNoise();
     system_.changePlaces(batch.states);
@@ -132,9 +135,9 @@ void DirectSolver::forgetBlows() {
     jointed_.forget();
 }
 
-bool DirectSolver::tookLong(BodySlot slot) const {
+SearchEffort DirectSolver::effortOf(BodySlot slot) const {
     const std::uint32_t node = system_.nodeOf(slot);
-    return node != kNoNode && contacts_.tookLong(system_.islandOf(node));
+    return node != kNoNode ? contacts_.effortOf(system_.islandOf(node)) : SearchEffort{};
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

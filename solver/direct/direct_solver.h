@@ -62,9 +62,8 @@ public:
     void beginSecondHalf() { contacts_.beginSecondHalf(); }
     void addHalves() { contacts_.addHalves(); }
 
-    /// Whether contacts of the body's island took more rounds than usual in this step: what cost the others of the
-    /// batch theirs, too.
-    bool tookLong(BodySlot slot) const;
+    /// What the search cost a body in this step, in scope `all`.
+    SearchEffort effortOf(BodySlot slot) const;
 
 private:
     void listNodes(const SolverBatch& batch);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -52,13 +53,41 @@ void DirectSystem::listNodes(std::span<const BodyInertia> inertias, std::span<co
     change_.resize(nodes_.size());
     edges_.clear();
     islands_.reset(nodes_.size());
-    isFactorised_ = false;
+    forgetFactor();
 }
 
-bool DirectSystem::analyse(std::span<const ContactConstraint> contacts, bool holdsContacts) {
+bool DirectSystem::analyse(std::span<const ContactConstraint> contacts, bool holdsContacts, bool hasParts) {
+    parts_.assign(1, whole());
+    if (hasParts) { numberByIslands(); }
     weighIslands(contacts, holdsContacts);
+    return matrix_.analyse(parts_, edges_, kMostBlocksPerBody * nodes_.size());
+}
+
+/// Within an island the order stays.
+void DirectSystem::numberByIslands() {
     const auto count = static_cast<std::uint32_t>(nodes_.size());
-    return matrix_.analyse(count, edges_, kMostBlocksPerBody * count);
+    nextNumbers_.assign(count, 0);
+    for (std::uint32_t i = 0; i < count; ++i) { ++nextNumbers_[islands_.find(i)]; }
+    parts_.clear();
+    std::uint32_t begin = 0;
+    for (std::uint32_t& next : nextNumbers_) {  // that of the first node of an island says how many it has
+        if (next == 0) { continue; }
+        parts_.push_back({begin, begin + next});
+        begin += std::exchange(next, begin);
+    }
+    if (parts_.size() == 1) { return; }
+    numbers_.clear();
+    for (std::uint32_t i = 0; i < count; ++i) { numbers_.push_back(nextNumbers_[islands_.find(i)]++); }
+    oldNodes_.assign(nodes_.begin(), nodes_.end());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        nodes_[numbers_[i]] = oldNodes_[i];
+        nodeOf_[oldNodes_[i].slot] = numbers_[i];
+    }
+    for (BlockEdge& edge : edges_) { edge = {numbers_[edge.a], numbers_[edge.b]}; }
+    islands_.reset(count);
+    for (const NodeRange& part : parts_) {
+        for (std::uint32_t i = part.begin + 1; i < part.end; ++i) { islands_.unite(part.begin, i); }
+    }
 }
 
 void DirectSystem::weighIslands(std::span<const ContactConstraint> contacts, bool holdsContacts) {
@@ -119,10 +148,9 @@ double DirectSystem::excessOf(std::span<const BodyState> states, const DirectRow
     return excess;
 }
 
-void DirectSystem::beginMatrix() {
-    factorised_ = strength_;
-    matrix_.clear();
-    for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+void DirectSystem::beginMatrix(NodeRange part) {
+    matrix_.clear(part);
+    for (std::uint32_t i = part.begin; i < part.end; ++i) {
         const Node& node = nodes_[i];
         Block33& block = matrix_.diagonal(i);
         block[0] = block[4] = node.mass > 0 ? node.mass : 1;
@@ -141,13 +169,15 @@ void DirectSystem::add(const SystemRow& row, double share) {
     }
 }
 
-void DirectSystem::factorise() {
-    matrix_.factorise();
-    isFactorised_ = true;
+void DirectSystem::factorise(NodeRange part) {
+    matrix_.factorise(part);
+    factorised_[part.begin] = strength_;
     ++factorNumber_;
 }
 
-void DirectSystem::beginChange() { std::fill(change_.begin(), change_.end(), Block3{}); }
+void DirectSystem::beginChange(NodeRange part) {
+    std::fill(change_.data() + part.begin, change_.data() + part.end, Block3{});
+}
 
 void DirectSystem::push(const SystemRow& row, double impulse) {
     if (row.nodeA != kNoNode) { addScaled(change_[row.nodeA], impulse, row.ofA); }

@@ -77,10 +77,15 @@ public:
     }
     /// Finds how strong the rows of each island are, and the order in which nodes are eliminated. @pre all is coupled
     /// @param contacts  those that have rows in it
+    /// @param hasParts  islands become parts: their nodes are numbered one after another, and each may be factorised
+    /// and solved by itself
     /// @return false where the factor would have too many blocks for this to pay
-    bool analyse(std::span<const ContactConstraint> contacts, bool holdsContacts);
+    bool analyse(std::span<const ContactConstraint> contacts, bool holdsContacts, bool hasParts = false);
 
     std::span<const Node> nodes() const { return nodes_; }
+    /// Islands, or all as one.
+    std::span<const NodeRange> parts() const { return parts_; }
+    NodeRange whole() const { return {0, static_cast<std::uint32_t>(nodes_.size())}; }
     /// `kNoNode` of what has no part in it.
     std::uint32_t nodeOf(BodySlot slot) const { return nodeOf_[slot]; }
     /// The first node of those that are coupled with it.
@@ -99,12 +104,14 @@ public:
     void setStrength(double strength) { strength_ = strength; }
     double strength() const { return strength_; }
     /// Masses alone. `factorise` comes after all rows were added.
-    void beginMatrix();
+    void beginMatrix() { beginMatrix(whole()); }
+    void beginMatrix(NodeRange part);
     void add(const SystemRow& row, double share = 1);
-    void factorise();
+    void factorise() { factorise(whole()); }
+    void factorise(NodeRange part);
     /// Whether there is a factor, of the present strength.
-    bool isFactorised() const { return isFactorised_ && factorised_ == strength_; }
-    void forgetFactor() { isFactorised_ = false; }
+    bool isFactorised(NodeRange part) const { return factorised_[part.begin] == strength_; }
+    void forgetFactor() { factorised_.assign(nodes_.size(), 0); }
     /// Another number whenever there is another factor.
     std::uint64_t factorNumber() const { return factorNumber_; }
 
@@ -112,9 +119,11 @@ public:
     /// Of the velocities, by node; after `solve`. Before, what pushes at them.
     std::span<Block3> change() { return change_; }
     std::span<const Block3> change() const { return change_; }
-    void beginChange();
+    void beginChange() { beginChange(whole()); }
+    void beginChange(NodeRange part);
     void push(const SystemRow& row, double impulse);
     void solve() { matrix_.solve(change_); }
+    void solve(NodeRange part) { matrix_.solve(change_, part); }
     /// The excess of a row after a change of velocities.
     static double excessAfter(const SystemRow& row, std::span<const Block3> change);
     double changedExcess(const SystemRow& row) const { return excessAfter(row, change_); }
@@ -130,6 +139,7 @@ public:
     void changePlaces(std::span<BodyState> states) const;
 
 private:
+    void numberByIslands();
     void weighIslands(std::span<const ContactConstraint> contacts, bool holdsContacts);
 
     std::vector<std::uint32_t> nodeOf_;  ///< by slot
@@ -137,10 +147,13 @@ private:
     IslandFinder islands_;     ///< of nodes
     std::vector<Load> loads_;  ///< by their first node
     std::vector<BlockEdge> edges_;
+    std::vector<NodeRange> parts_;
+    std::vector<std::uint32_t> numbers_;  ///< scratch of `numberByIslands`, as the next two: by old number the new one
+    std::vector<std::uint32_t> nextNumbers_;
+    std::vector<Node> oldNodes_;
     BlockLdlt matrix_;
     double strength_ = 1;
-    double factorised_ = 0;  ///< strength with which
-    bool isFactorised_ = false;
+    std::vector<double> factorised_;  ///< by the first node of a part: with which strength; 0: not
     std::uint64_t factorNumber_ = 0;
     std::vector<Block3> change_;
     std::vector<Block3> largest_;  ///< of the changes in an island: linear, angular; by its first node
