@@ -141,6 +141,14 @@ template <class TakeOne, class TakeTwo, class TakeRest>
 void ContactBlocks::forEachList(int colour, RangeCut cut, const TakeOne& takeOne, const TakeTwo& takeTwo,
                                 const TakeRest& takeRest) {
     const ContactLayout::Colour& ranges = layout_[colour];
+    if (cut.isWhole(ranges.count())) {  // as mostly: small solves go through little else than such lists
+        const auto take = [](auto& all, ColourRange range, const auto& takeSome) {
+            if (range.begin < range.end) { takeSome(std::span(&all[range.begin], range.end - range.begin)); }
+        };
+        take(two_.blocks, ranges.two, takeTwo);
+        take(one_.blocks, ranges.one, takeOne);
+        return take(rest_, ranges.rest, takeRest);
+    }
     const auto one = [&](ColourRange range) {
         if (const auto blocks = cut.next(one_.blocks, range); !blocks.empty()) { takeOne(blocks); }
     };
@@ -150,11 +158,6 @@ void ContactBlocks::forEachList(int colour, RangeCut cut, const TakeOne& takeOne
     const auto rest = [&](ColourRange range) {
         if (const auto some = cut.next(rest_, range); !some.empty()) { takeRest(some); }
     };
-    if (cut.isWhole(ranges.count())) {
-        two(ranges.two);
-        one(ranges.one);
-        return rest(ranges.rest);
-    }
     two({ranges.two.begin, ranges.middleOfTwo});
     one({ranges.one.begin, ranges.middleOfOne});
     rest(ranges.rest);
