@@ -22,6 +22,12 @@ struct BodyState {
 };
 static_assert(sizeof(BodyState) == 8 * sizeof(Real), "a state fills one 8-lane register");
 
+/// Where a state begins in the array of states, bytes: so that a kernel, which asks for sixteen bodies at a time, has
+/// an address at once.
+using StateOffset = std::uint32_t;
+constexpr StateOffset offsetOf(BodySlot slot) { return slot * static_cast<StateOffset>(sizeof(BodyState)); }
+constexpr BodySlot slotAt(StateOffset offset) { return offset / static_cast<StateOffset>(sizeof(BodyState)); }
+
 /// Read by every constraint. Zero for static and kinematic bodies.
 struct BodyInertia {
     Real inverseMass = 0;     ///< 1/kg

@@ -126,8 +126,8 @@ void TiedContacts::setLane(WideContact<kPoints>& block, std::size_t lane, const 
     const Vec2 localCenterA =
         link.slotA != kFixedSlot ? group_.desk.localCenters[link.slotA] : world_.bodies[contact.bodyA].localCenter;
     const Vec2 fromAToB = toReal(world_.motions[contact.bodyB].center - a.center);
-    block.slotA[lane] = link.slotA;
-    block.slotB[lane] = link.slotB;
+    block.stateA[lane] = offsetOf(link.slotA);
+    block.stateB[lane] = offsetOf(link.slotB);
     block.inverseMassA[lane] = inertiaA.inverseMass;
     block.inverseMassB[lane] = inertiaB.inverseMass;
     block.inverseInertiaA[lane] = inertiaA.inverseInertia;
@@ -315,7 +315,7 @@ void TiedContacts::noteHits(const WideContact<kPoints>& block, Links links, cons
         const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
         const Contact& contact = group_.contacts[links[lane].source];
         const Vec2 normal{block.normalX[lane], block.normalY[lane]};
-        const TiedPair pair = hits_.pairOf(contact, block.slotA[lane], block.slotB[lane]);
+        const TiedPair pair = hits_.pairOf(contact, slotAt(block.stateA[lane]), slotAt(block.stateB[lane]));
         std::array<Real, 2> speeds{};
         for (std::size_t k = 0; k < kPoints; ++k) {
             if ((struck[k] >> lane & 1U) != 0) {

@@ -36,8 +36,8 @@ inline void fillPoint(WideContactPoint& lanes, std::size_t lane, const ContactCo
 template <std::size_t kPoints>
 inline void fillLane(WideContact<kPoints>& block, std::size_t lane, const ContactConstraint& contact,
                      const BodyInertia& a, const BodyInertia& b) {
-    block.slotA[lane] = contact.slotA;
-    block.slotB[lane] = contact.slotB;
+    block.stateA[lane] = offsetOf(contact.slotA);
+    block.stateB[lane] = offsetOf(contact.slotB);
     block.normalX[lane] = contact.normal.x;
     block.normalY[lane] = contact.normal.y;
     block.friction[lane] = contact.friction;

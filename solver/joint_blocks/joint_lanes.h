@@ -24,8 +24,8 @@ void emptyJoints(Block& block, std::uint32_t lanes) {
 /// What any joint has. Lanes of one block may be filled at the same time. @pre the block was emptied
 template <class Joint>
 void fillJoint(WideJoint& block, std::size_t lane, const Joint& joint, const BodyInertia& a, const BodyInertia& b) {
-    block.slotA[lane] = joint.slotA;
-    block.slotB[lane] = joint.slotB;
+    block.stateA[lane] = offsetOf(joint.slotA);
+    block.stateB[lane] = offsetOf(joint.slotB);
     block.anchorAX[lane] = joint.anchorA.x;
     block.anchorAY[lane] = joint.anchorA.y;
     block.anchorBX[lane] = joint.anchorB.x;

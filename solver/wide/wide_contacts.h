@@ -34,8 +34,8 @@ struct alignas(kBlockBytes) WideContactPoint {
 /// are left over hold contacts of the fixed world with itself, without masses.
 template <std::size_t kPoints>
 struct alignas(kBlockBytes) WideContact {
-    std::array<BodySlot, kBlockLanes> slotA;
-    std::array<BodySlot, kBlockLanes> slotB;
+    std::array<StateOffset, kBlockLanes> stateA;
+    std::array<StateOffset, kBlockLanes> stateB;
     std::uint32_t lanes = 0;     ///< in use
     std::uint32_t movableA = 0;  ///< one bit per lane: the body is to be written
     std::uint32_t movableB = 0;

@@ -10,8 +10,8 @@ namespace swept::inline SWEPT_PRECISION {
 /// What blocks of all sorts of joints have: as many joints as there are lanes, no movable body in two of them. Lanes
 /// that are left over hold the fixed world to itself. What a joint is made of stays all step; see `JointConstraint`.
 struct alignas(kBlockBytes) WideJoint {
-    std::array<BodySlot, kBlockLanes> slotA;
-    std::array<BodySlot, kBlockLanes> slotB;
+    std::array<StateOffset, kBlockLanes> stateA;
+    std::array<StateOffset, kBlockLanes> stateB;
     std::uint32_t lanes = 0;     ///< in use
     std::uint32_t movableA = 0;  ///< one bit per lane: the body is to be written
     std::uint32_t movableB = 0;

@@ -88,27 +88,27 @@ HWY_INLINE bool rotationsOf(RealTag tag, hn::Vec<RealTag> angles, hn::Vec<RealTa
     }
 }
 
-/// Which bodies are in the lanes of a group.
-using GroupSlots = std::array<BodySlot, kGroup>;
+/// Where the bodies in the lanes of a group are.
+using GroupOffsets = std::array<StateOffset, kGroup>;
 
-constexpr GroupSlots kInOrder = [] {
-    GroupSlots slots{};
-    for (std::size_t i = 0; i < kGroup; ++i) { slots[i] = static_cast<BodySlot>(i); }
-    return slots;
+constexpr GroupOffsets kInOrder = [] {
+    GroupOffsets offsets{};
+    for (std::size_t i = 0; i < kGroup; ++i) { offsets[i] = offsetOf(static_cast<BodySlot>(i)); }
+    return offsets;
 }();
 constexpr std::uint32_t kAll = (1U << kGroup) - 1;
 
 /// @param meant  one bit per lane: the others are not written
 /// @return whether it was done
-HWY_INLINE bool moveGroup(std::span<BodyState> bodies, const GroupSlots& slots, std::uint32_t meant, Lanes h) {
-    const Quad speed = gather(bodies, slots.data(), kVelocities);
-    Quad motion = gather(bodies, slots.data(), kMotion);
+HWY_INLINE bool moveGroup(std::byte* bodies, const GroupOffsets& offsets, std::uint32_t meant, Lanes h) {
+    const Quad speed = gather(bodies, offsets.data(), kVelocities);
+    Quad motion = gather(bodies, offsets.data(), kMotion);
     const Lanes angle = hn::Add(speed.w, hn::Mul(h, speed.z));
     if (!rotationsOf(Tag(), angle, motion.z, motion.w)) { return false; }
     motion.x = hn::Add(motion.x, hn::Mul(h, speed.x));
     motion.y = hn::Add(motion.y, hn::Mul(h, speed.y));
-    scatter({speed.x, speed.y, speed.z, angle}, bodies, slots.data(), kVelocities, meant);
-    scatter(motion, bodies, slots.data(), kMotion, meant);
+    scatter({speed.x, speed.y, speed.z, angle}, bodies, offsets.data(), kVelocities, meant);
+    scatter(motion, bodies, offsets.data(), kMotion, meant);
     return true;
 }
 
@@ -118,15 +118,15 @@ constexpr std::size_t kFewestMoved = kGroup / 4 + 1;
 /// Fewer bodies than fill a register: the first one stands in all lanes that are left over.
 HWY_INLINE bool moveSome(std::span<BodyState> bodies, Lanes h) {
     if (bodies.size() < kFewestMoved) { return false; }
-    GroupSlots slots{};
-    std::copy_n(kInOrder.begin(), bodies.size(), slots.begin());
-    return moveGroup(bodies, slots, (1U << bodies.size()) - 1, h);
+    GroupOffsets offsets{};
+    std::copy_n(kInOrder.begin(), bodies.size(), offsets.begin());
+    return moveGroup(bytesOf(bodies), offsets, (1U << bodies.size()) - 1, h);
 }
 
 void moveGroups(std::span<BodyState> bodies, Real h) {
     const Lanes wide = hn::Set(Tag(), h);
     for (; bodies.size() >= kGroup; bodies = bodies.subspan(kGroup)) {
-        if (!moveGroup(bodies, kInOrder, kAll, wide)) { moveBodies(bodies.first(kGroup), h); }
+        if (!moveGroup(bytesOf(bodies), kInOrder, kAll, wide)) { moveBodies(bodies.first(kGroup), h); }
     }
     if (!moveSome(bodies, wide)) { moveBodies(bodies, h); }
 }

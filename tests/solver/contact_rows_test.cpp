@@ -76,8 +76,8 @@ struct FilledBlock {
         from.extent[lane] = row.extent;
         const auto a = static_cast<BodySlot>(random.integer(0, kBodies - 1));
         const auto b = static_cast<BodySlot>(random.integer(0, kBodies - 1));
-        block.slotA[lane] = a;
-        block.slotB[lane] = b;
+        block.stateA[lane] = offsetOf(a);
+        block.stateB[lane] = offsetOf(b);
         block.inverseMassA[lane] = inertias[a].inverseMass;
         block.inverseMassB[lane] = inertias[b].inverseMass;
         block.inverseInertiaA[lane] = inertias[a].inverseInertia;
@@ -89,8 +89,8 @@ struct FilledBlock {
         const ContactRow& row = rows[lane];
         const Rotation rotation{from.rotationC[lane], from.rotationS[lane]};
         ContactConstraint contact;
-        contact.slotA = block.slotA[lane];
-        contact.slotB = block.slotB[lane];
+        contact.slotA = slotAt(block.stateA[lane]);
+        contact.slotB = slotAt(block.stateB[lane]);
         contact.normal = rotate(rotation, row.manifold.normal);
         contact.friction = row.friction;
         contact.restitution = row.restitution;
