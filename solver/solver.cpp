@@ -108,6 +108,16 @@ void Solver::listRuns(SolverBatch& batch) {
     for (Run& run : runs_) { run.parts = partsOf<kJoints>(batch, run.colour); }
 }
 
+/// Where one worker solves contacts alone: to find out for each pass what a colour holds takes as long as to solve a
+/// few. @pre it is known who solves
+template <bool kJoints>
+void Solver::listContacts() {
+    isListed_ = !kJoints && !areJointed_ && loops_->workerCount() <= 1;
+    if (!isListed_) { return; }
+    contacts_.clearList();
+    for (const Run& run : runs_) { contacts_.list(run.colour); }
+}
+
 /// All that the colours hold, one colour after the other; of each its joints first and one list after the other, in
 /// ranges that any worker may take: no two share a movable body.
 template <class Visit>
@@ -166,6 +176,7 @@ void Solver::warmStart(SolverBatch& batch, bool hasMoved) {
 
 template <bool kJoints>
 void Solver::solveColours(SolverBatch& batch, const ContactPass& pass) {
+    if (isListed_) { return contacts_.solveListed(batch, pass); }
     forEachRun([&](int colour, RangeCut cut) {
         if constexpr (kJoints) {
             forEachJointOf(
@@ -352,6 +363,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     const bool isShared = isAtOnce || isWorthSharing();
     loops_ = isShared ? &loops : &serial_;
     fewestToShare_ = isAtOnce ? 0 : kFewestOfColour;
+    listContacts<kJoints>();
     if (bouncing_.empty()) {
         runSubSteps<kJoints, false>(batch, settings, report);
     } else {

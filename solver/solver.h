@@ -127,6 +127,8 @@ private:
     template <bool kJoints>
     void listRuns(SolverBatch& batch);
     template <bool kJoints>
+    void listContacts();
+    template <bool kJoints>
     void prepare(SolverBatch& batch, const SolverSettings& settings, bool isColoured);
     template <class Visit>
     void forEachRun(const Visit& visit);
@@ -156,6 +158,7 @@ private:
     RawVector<std::array<Real, 4>> free_;  ///< by body slot: speeds in this sub-step without constraints
     bool areJointed_ = false;              ///< the present solve: contacts are iterated by `DirectSolver`
     bool isMet_ = false;                   ///< likewise: of joints that met contacts within a step
+    bool isListed_ = false;                ///< the present solve: `ContactBlocks::solveListed`
     bool isRepeated_ = false;              ///< the present solve: see `integrateAndRepeat`
     std::vector<ContactConstraint*> bouncing_;
     ImpactScratch impactScratch_;

@@ -189,6 +189,30 @@ void ContactBlocks::solve(SolverBatch& batch, int colour, RangeCut cut, const Co
         [&](auto rest) { solveContacts(batch.contacts, rest, bodies, pass); });
 }
 
+void ContactBlocks::list(int colour) {
+    const ContactLayout::Colour& ranges = layout_[colour];
+    for (const Listed& some :
+         {Listed{ContactLayout::kTwoPoints, ranges.two}, Listed{ContactLayout::kOnePoint, ranges.one},
+          Listed{ContactLayout::kAlone, ranges.rest}}) {
+        if (some.range.begin < some.range.end) { listed_.push_back(some); }
+    }
+}
+
+void ContactBlocks::solveListed(SolverBatch& batch, const ContactPass& pass) {
+    const SolverBodies bodies{batch.states, batch.inertias};
+    for (const Listed& some : listed_) {
+        const std::size_t begin = some.range.begin;
+        const std::size_t count = some.range.end - begin;
+        if (some.kind == ContactLayout::kTwoPoints) {
+            kernels_->solveTwo(std::span(&two_.blocks[begin], count), bodies, pass);
+        } else if (some.kind == ContactLayout::kOnePoint) {
+            kernels_->solveOne(std::span(&one_.blocks[begin], count), bodies, pass);
+        } else {
+            solveContacts(batch.contacts, std::span<const std::uint32_t>(&rest_[begin], count), bodies, pass);
+        }
+    }
+}
+
 Real ContactBlocks::mostRestitution(const SolverBatch& batch) const {
     Real most = 0;
     forBothKinds([&](const auto& blocks, const BlockRow& row) {

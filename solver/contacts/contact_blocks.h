@@ -29,6 +29,11 @@ public:
     void warmStart(SolverBatch& batch, int colour, RangeCut cut);
     void bounce(SolverBatch& batch, int colour, RangeCut cut, const ContactPass& pass);
     void solve(SolverBatch& batch, int colour, RangeCut cut, const ContactPass& pass);
+    /// Lists what a colour holds, after those that are listed, for `solveListed`.
+    void list(int colour);
+    void clearList() { listed_.clear(); }
+    /// The same as to solve the colours that are listed, one after the other: what is in them is known.
+    void solveListed(SolverBatch& batch, const ContactPass& pass);
     /// @pre built
     Real mostRestitution(const SolverBatch& batch) const;
     /// Ends a sub-step for contacts with restitution, whose totals are in the batch; the others had theirs by the last
@@ -56,6 +61,12 @@ private:
         }
     };
 
+    /// Blocks of a colour, or contacts on their own.
+    struct Listed {
+        ContactLayout::Kind kind = ContactLayout::kAlone;
+        ColourRange range;
+    };
+
     template <class Visit>
     void forBothKinds(const Visit& visit);
     template <class Visit>
@@ -77,6 +88,7 @@ private:
     Blocks<2> two_;
     std::vector<std::uint32_t> rest_;   ///< contacts on their own: places in the batch
     RawVector<ContactLink> restLinks_;  ///< of a store: likewise
+    std::vector<Listed> listed_;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION
