@@ -120,20 +120,33 @@ constexpr std::size_t kPairsAhead = 8;
 /// Pairs per block of a parallel loop.
 constexpr std::size_t kPairGrain = 256;
 
-SWEPT_FORCE_INLINE void fetchAhead(const WorldState& world, std::span<const TouchingPair> coming) {
-    if (coming.size() <= kPairsAhead) { return; }
-    const TouchingPair& pair = coming[kPairsAhead];
-    const bool asks = asksForContact(pair, world.traits[pair.bodyA], world.traits[pair.bodyB]);
-    const auto contact = pair.contact & maskOf<std::uint32_t>(asks);  // the first one instead of a branch
-    prefetch(&world.contacts[contact].manifold);
+SWEPT_FORCE_INLINE bool asksForContact(const WorldState& world, const TouchingPair& pair) {
+    return asksForContact(pair, world.traits[pair.bodyA], world.traits[pair.bodyB]);
 }
 
-/// Of the first of some pairs: writes to it and its contact alone.
-SWEPT_FORCE_INLINE void lookAtFirst(WorldState& world, std::span<TouchingPair> pairs, Real dt) {
-    fetchAhead(world, pairs);
-    TouchingPair& pair = pairs.front();
-    if (!asksForContact(pair, world.traits[pair.bodyA], world.traits[pair.bodyB])) { return; }
-    pair.findings = pair.areDynamic() ? lookAtPassing(world, pair, dt) : lookAtGround(world, pair, dt);
+/// Of some pairs, one after the other: writes to each and its contact alone.
+/// @param then  called with the place of each, once it was looked at; does not change who asks
+template <class Then>
+SWEPT_FORCE_INLINE void lookAtEach(WorldState& world, std::span<TouchingPair> pairs, Real dt, const Then& then) {
+    std::uint32_t asking = 0;  // one bit for each of the next ones: so that none is asked twice
+    for (std::size_t i = 0; i < std::min(pairs.size(), kPairsAhead); ++i) {
+        asking |= std::uint32_t{asksForContact(world, pairs[i])} << i;
+    }
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (i + kPairsAhead < pairs.size()) {
+            const TouchingPair& coming = pairs[i + kPairsAhead];
+            const bool asks = asksForContact(world, coming);
+            const auto contact = coming.contact & maskOf<std::uint32_t>(asks);  // the first one instead of a branch
+            prefetch(&world.contacts[contact].manifold);
+            asking |= std::uint32_t{asks} << kPairsAhead;
+        }
+        if ((asking & 1U) != 0) {
+            TouchingPair& pair = pairs[i];
+            pair.findings = pair.areDynamic() ? lookAtPassing(world, pair, dt) : lookAtGround(world, pair, dt);
+        }
+        asking >>= 1;
+        then(i);
+    }
 }
 
 /// What a contact with something static or kinematic tells about a dynamic body. @pre awake
@@ -157,23 +170,21 @@ void noteTouching(WorldState& world, Real dt) {
     const bool isShared = world.loops->workerCount() > 1;
     if (isShared) {
         world.loops->run(pairs.size(), kPairGrain, [&world, pairs, dt](std::size_t begin, std::size_t end, int) {
-            const std::span<TouchingPair> some = pairs.first(end);
-            for (std::size_t i = begin; i < end; ++i) { lookAtFirst(world, some.subspan(i), dt); }
+            lookAtEach(world, pairs.subspan(begin, end - begin), dt, [](std::size_t) {});
         });
     }
     world.hemmed.passing.clear();
     auto keep = pairs.begin();
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (!isShared) { lookAtFirst(world, pairs.subspan(i), dt); }
+    const auto note = [&](std::size_t i) {
         const TouchingPair& pair = pairs[i];
         BodyTraits& a = traits[pair.bodyA];
         BodyTraits& b = traits[pair.bodyB];
         const bool awakeA = (a & kIsAwake) != 0;
         const bool awakeB = (b & kIsAwake) != 0;
-        if (!awakeA && !awakeB) { continue; }
+        if (!awakeA && !awakeB) { return; }
         if (pair.findings.mayHem) { world.hemmed.passing.push_back(pair); }
         if (pair.findings.passes) { --world.counters.touching; }
-        if (pair.findings.mayHem || pair.findings.passes) { continue; }
+        if (pair.findings.mayHem || pair.findings.passes) { return; }
         if (!pair.areDynamic()) {
             if ((traits[pair.dynamicBody()] & kIsAwake) != 0) { noteGround(world, pair); }
         } else if (awakeA && awakeB) {
@@ -182,6 +193,11 @@ void noteTouching(WorldState& world, Real dt) {
         if (awakeA) { a |= pair.dynamicB ? kHasContact | kTouchesDynamic : kHasContact; }
         if (awakeB) { b |= pair.dynamicA ? kHasContact | kTouchesDynamic : kHasContact; }
         *keep++ = pair;
+    };
+    if (isShared) {
+        for (std::size_t i = 0; i < pairs.size(); ++i) { note(i); }
+    } else {
+        lookAtEach(world, pairs, dt, note);
     }
     world.touching.erase(world.touching.begin() + (keep - pairs.begin()), world.touching.end());
     holdHemmedPairs(world);

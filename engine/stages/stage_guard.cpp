@@ -16,11 +16,6 @@ namespace {
 /// Bodies per block of a parallel loop.
 constexpr std::size_t kGuardGrain = 256;
 
-bool isSound(const BodyMotion& motion) {
-    return isInRange(motion.center) && isInRange(motion.angle) && isInRange(motion.velocity) &&
-           isInRange(static_cast<double>(motion.angularVelocity));
-}
-
 /// Impulses to start from, and points, that belong to a state that is gone. @pre no contact of the body is parked:
 /// those with points are counted
 void forgetContactsOf(WorldState& world, std::uint32_t slot) {
@@ -90,6 +85,11 @@ std::vector<bool> findOverflown(const WorldState& world) {
 }
 
 }  // namespace
+
+bool isSound(const BodyMotion& motion) {
+    return isInRange(motion.center) && isInRange(motion.angle) && isInRange(motion.velocity) &&
+           isInRange(static_cast<double>(motion.angularVelocity));
+}
 
 void putBackOverflown(WorldState& world) {
     if (areSound(world)) { return; }

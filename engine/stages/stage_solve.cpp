@@ -146,11 +146,14 @@ void solveTiedBodies(WorldState& world, double dt) {
     }
 }
 
-void moveKinematicBodies(WorldState& world, double dt) {
+bool moveKinematicBodies(WorldState& world, double dt) {
+    bool areSound = true;
     for (const std::uint32_t slot : world.awake) {
         if (world.bodies[slot].def.type != BodyType::kinematic) { continue; }
         moveFreely(world, slot, dt);
+        areSound = areSound && isSound(world.motions[slot]);
     }
+    return areSound;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -124,8 +124,8 @@ void runStages(WorldState& world, double dt) {
     clock.stop(world.stageTimes.solve);
     const bool sweeps = world.anyFast || world.anyFlung;
     if (sweeps) { sweepFastBodies(world, dt); }
-    if (world.kinematicBodies > 0) { moveKinematicBodies(world, dt); }
-    if (sweeps || world.kinematicBodies > 0) { putBackOverflown(world); }
+    const bool areMovedSound = world.kinematicBodies == 0 || moveKinematicBodies(world, dt);
+    if (sweeps || !areMovedSound) { putBackOverflown(world); }
     if (world.sensorShapes > 0) { sweepSensors(world, dt); }
     clock.stop(world.stageTimes.continuous);
     if (world.anyRestLoads) { loosenMoving(world, dt); }

@@ -38,10 +38,13 @@ void advanceFastIslands(WorldState& world, double dt);
 /// the start of the step, at rest, and is counted (stage_guard.cpp). Only inputs at the ends of what can be written do
 /// that.
 void putBackOverflown(WorldState& world);
+/// Whether a motion is such as nobody puts back.
+bool isSound(const BodyMotion& motion);
 /// Flyers, and fast bodies held at their impacts (stage_continuous.cpp).
 void sweepFastBodies(WorldState& world, double dt);
 /// After the sweeps, which see kinematic bodies at the start of their step (stage_solve.cpp).
-void moveKinematicBodies(WorldState& world, double dt);
+/// @return whether all of them are sound still
+bool moveKinematicBodies(WorldState& world, double dt);
 /// What ends the step (stage_finish.cpp): joints break, boxes move, what rests falls asleep.
 void breakJoints(WorldState& world);
 void moveProxiesAndSortEvents(WorldState& world);
