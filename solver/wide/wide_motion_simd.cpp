@@ -118,9 +118,14 @@ constexpr std::size_t kFewestMoved = kGroup / 4 + 1;
 /// Fewer bodies than fill a register: the first one stands in all lanes that are left over.
 HWY_INLINE bool moveSome(std::span<BodyState> bodies, Lanes h) {
     if (bodies.size() < kFewestMoved) { return false; }
-    GroupOffsets offsets{};
-    std::copy_n(kInOrder.begin(), bodies.size(), offsets.begin());
-    return moveGroup(bytesOf(bodies), offsets, (1U << bodies.size()) - 1, h);
+    static constexpr std::array<GroupOffsets, kGroup> kFirst = [] {
+        std::array<GroupOffsets, kGroup> ofSo{};
+        for (std::size_t many = 0; many < kGroup; ++many) {
+            for (std::size_t i = 0; i < many; ++i) { ofSo[many][i] = kInOrder[i]; }
+        }
+        return ofSo;
+    }();
+    return moveGroup(bytesOf(bodies), kFirst[bodies.size()], (1U << bodies.size()) - 1, h);
 }
 
 void moveGroups(std::span<BodyState> bodies, Real h) {
