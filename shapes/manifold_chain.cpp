@@ -42,8 +42,9 @@ struct ChainFace {
         if (std::fabs(along) <= kSeamAngle && dot(normal, face.normal) > 0) { return NormalVerdict::own; }
         const Corner& corner = along < 0 ? atStart : atEnd;
         switch (corner.kind) {
-            case CornerKind::open:
-                return dot(normal, face.normal) >= 0 ? NormalVerdict::admitted : NormalVerdict::refused;
+            case CornerKind::open:  // solid all around: who leans over it touches it from behind
+                return dot(normal, face.normal) >= 0 || std::fabs(along) > kSeamAngle ? NormalVerdict::admitted
+                                                                                      : NormalVerdict::refused;
             case CornerKind::flatOrConcave:
                 return NormalVerdict::own;
             case CornerKind::convex:

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include <swept/shapes/manifold.h>
 
 #include "pair_families.h"
@@ -202,6 +205,30 @@ TEST(ChainManifold, OpenEndsAreRound) {
     EXPECT_NEAR(static_cast<double>(m.normal.x), 0.6, 1e-6);
     EXPECT_NEAR(static_cast<double>(m.normal.y), 0.8, 1e-6);
     EXPECT_NEAR(static_cast<double>(m.points[0].separation), 0, 1e-6);
+}
+
+/// Its middle is in front, beyond the end, and its lower side rests on the end from behind.
+TEST(ChainManifold, OpenEndsHoldWhatLeansOverThem) {
+    const std::array<Vec2, 2> line = {Vec2{1, 0}, Vec2{-1, 0}};
+    const ChainSegment segment = chainSegment(line, false, 0, 0);
+    constexpr double kAngle = 1.2;  // from the segment's direction; the end touches it half way between middle and foot
+    constexpr double kHalf = 0.5;
+    constexpr double kThick = 0.1;
+    for (const double side : {-1.0, 1.0}) {
+        for (const Polygon& shape : {makeCapsule({real(-kHalf), 0}, {real(kHalf), 0}, real(kThick)).value(),
+                                     makeBox({real(kHalf), real(kThick)}).value()}) {
+            const double angle = side > 0 ? kAngle : std::numbers::pi - kAngle;
+            const DVec2 axis{std::cos(angle), std::sin(angle)};
+            const DVec2 normal{side * axis.y, -side * axis.x};  // from the end to the shape: downwards
+            const DVec2 middle = DVec2{side, 0} + 0.25 * axis + (kThick + 0.001) * normal;
+            ASSERT_GT(middle.y, 0);
+            const Manifold m = collide(segment, shape, poseAt(middle.x, middle.y, angle), real(0.01));
+            ASSERT_EQ(m.count, 1) << "side " << side;
+            EXPECT_NEAR(static_cast<double>(m.normal.x), normal.x, 1e-5) << "side " << side;
+            EXPECT_NEAR(static_cast<double>(m.normal.y), normal.y, 1e-5) << "side " << side;
+            EXPECT_NEAR(static_cast<double>(m.points[0].separation), 0.001, 1e-5) << "side " << side;
+        }
+    }
 }
 
 TEST(ChainManifold, RadiusGrowsTheChain) {
