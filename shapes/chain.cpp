@@ -1,6 +1,17 @@
 #include "chain.h"
 
 namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+Status validateNeighbour(const std::optional<Vec2>& neighbour, Vec2 end, bool loop, const char* field) {
+    if (!neighbour) { return Status::success(); }
+    if (!isFinite(*neighbour)) { return {StatusCode::notFinite, field}; }
+    if (loop) { return {StatusCode::outOfRange, field}; }
+    if (*neighbour == end) { return {StatusCode::degenerate, field}; }
+    return Status::success();
+}
+
+}  // namespace
 
 Polygon polygonOf(const ChainSegment& segment) {
     Polygon polygon;
@@ -15,7 +26,7 @@ Polygon polygonOf(const ChainSegment& segment) {
 
 Vec2 normalOf(const ChainSegment& segment) { return edgeNormal(segment.p, segment.q); }
 
-Status validateChain(std::span<const Vec2> points, bool loop, Real radius) {
+Status validateChain(std::span<const Vec2> points, bool loop, Real radius, const ChainNeighbours& neighbours) {
     if (points.size() < (loop ? 3U : 2U)) { return {StatusCode::tooFewVertices, "points"}; }
     for (const Vec2 point : points) {
         if (!isFinite(point)) { return {StatusCode::notFinite, "points"}; }
@@ -26,10 +37,13 @@ Status validateChain(std::span<const Vec2> points, bool loop, Real radius) {
     if (loop && points.front() == points.back()) { return {StatusCode::degenerate, "points"}; }
     if (!isFinite(radius)) { return {StatusCode::notFinite, "radius"}; }
     if (radius < 0) { return {StatusCode::negative, "radius"}; }
-    return Status::success();
+    const Status before = validateNeighbour(neighbours.before, points.front(), loop, "before");
+    if (!before.ok()) { return before; }
+    return validateNeighbour(neighbours.after, points.back(), loop, "after");
 }
 
-ChainSegment chainSegment(std::span<const Vec2> points, bool loop, Real radius, int i) {
+ChainSegment chainSegment(std::span<const Vec2> points, bool loop, Real radius, int i,
+                          const ChainNeighbours& neighbours) {
     const std::size_t count = points.size();
     const auto first = static_cast<std::size_t>(i);
     const auto cyclic = [&](std::size_t index) { return points[index % count]; };
@@ -37,10 +51,12 @@ ChainSegment chainSegment(std::span<const Vec2> points, bool loop, Real radius, 
     segment.p = points[first];
     segment.q = cyclic(first + 1);
     segment.radius = radius;
-    segment.hasBefore = loop || first > 0;
-    segment.hasAfter = loop || first + 2 < count;
-    if (segment.hasBefore) { segment.before = cyclic(first + count - 1); }
-    if (segment.hasAfter) { segment.after = cyclic(first + 2); }
+    const std::optional<Vec2> before = loop || first > 0 ? cyclic(first + count - 1) : neighbours.before;
+    const std::optional<Vec2> after = loop || first + 2 < count ? cyclic(first + 2) : neighbours.after;
+    segment.hasBefore = before.has_value();
+    segment.hasAfter = after.has_value();
+    segment.before = before.value_or(Vec2{});
+    segment.after = after.value_or(Vec2{});
     return segment;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <span>
+
 #include "polygon.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -15,6 +18,13 @@ struct ChainSegment {
     Real radius = 0;
     bool hasBefore = false;
     bool hasAfter = false;
+};
+
+/// Where an open chain goes on as another one, as a level does that is loaded piece by piece: the next points there,
+/// beyond its first and its last one. Nothing catches where the two meet; what lies beyond is the other chain's.
+struct ChainNeighbours {
+    std::optional<Vec2> before{};
+    std::optional<Vec2> after{};
 };
 
 /// The segment as a two-sided polygon (for bounds, distance, ray casts, TOI).
@@ -34,10 +44,11 @@ ClosedEnds closedEndsOf(const ChainSegment& segment);
 constexpr int chainSegmentCount(int pointCount, bool loop) { return loop ? pointCount : pointCount - 1; }
 
 /// Checks the points of a chain: at least 2 (loop: 3), all finite, no two consecutive ones equal, radius finite and ≥
-/// 0.
-Status validateChain(std::span<const Vec2> points, bool loop, Real radius);
+/// 0; neighbours finite, none equal to the end beside it, and none of a loop.
+Status validateChain(std::span<const Vec2> points, bool loop, Real radius, const ChainNeighbours& neighbours = {});
 
 /// The i-th segment (0 ≤ i < chainSegmentCount) of a valid chain.
-ChainSegment chainSegment(std::span<const Vec2> points, bool loop, Real radius, int i);
+ChainSegment chainSegment(std::span<const Vec2> points, bool loop, Real radius, int i,
+                          const ChainNeighbours& neighbours = {});
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -202,15 +202,18 @@ Result<ShapeId> World::addShape(BodyId body, const Polygon& polygon, const Shape
     return id;
 }
 
-Result<ShapeId> World::addChain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def,
-                                Real radius) {
+Result<ShapeId> World::addChain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def, Real radius,
+                                const ChainNeighbours& neighbours) {
     WorldState& world = *state_;
     if (!world.bodies.isValid(body)) { return Status{StatusCode::staleId, "body"}; }
     if (world.bodies[body.index].isDynamic()) { return Status{StatusCode::wrongBodyType, "body"}; }
-    const Status geometry = validateChain(points, loop, radius);
+    const Status geometry = validateChain(points, loop, radius, neighbours);
     if (!geometry.ok()) { return geometry; }
     const Status size = checkSize(points, radius, "points");
     if (!size.ok()) { return size; }
+    const Status beyond = firstFault({checkNumber(neighbours.before.value_or(Vec2{}), "before"),
+                                      checkNumber(neighbours.after.value_or(Vec2{}), "after")});
+    if (!beyond.ok()) { return beyond; }
     const Status surface = check(def);
     if (!surface.ok()) { return surface; }
     ShapeId head;
@@ -219,7 +222,7 @@ Result<ShapeId> World::addChain(BodyId body, std::span<const Vec2> points, bool 
     AddedShapes added(world, body.index);
     for (int i = 0; i < chainSegmentCount(static_cast<int>(points.size()), loop); ++i) {
         Shape shape;
-        shape.segment = chainSegment(points, loop, radius, i);
+        shape.segment = chainSegment(points, loop, radius, i, neighbours);
         shape.polygon = polygonOf(shape.segment);
         shape.isChainSegment = true;
         shape.def = def;

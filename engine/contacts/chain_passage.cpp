@@ -73,7 +73,8 @@ bool leads(const WorldState& world, std::uint32_t from, std::uint32_t to, Vec2 m
         const Shape& shape = world.shapes[at];
         const bool goesOn = shape.segment.hasAfter && length(shape.segment.q - middle) <= reach;
         at = shape.nextInChain != kNoIndex ? shape.nextInChain : shape.head;
-        if (!goesOn || at == from) { return false; }
+        const bool isJoined = world.shapes[at].segment.p == shape.segment.q;  // or another chain begins there
+        if (!goesOn || !isJoined || at == from) { return false; }
     }
     return true;
 }

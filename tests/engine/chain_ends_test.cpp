@@ -1,12 +1,18 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "../support/random.h"
 #include "world_support.h"
 
 /// The end of a chain is solid all around. What leans over it has its middle in front and touches it from behind: a
-/// sweep stopped there, and no contact turned it away, so that it hung for a second.
+/// sweep stopped there, and no contact turned it away, so that it hung for a second. Where a chain goes on as another
+/// one, there is no end.
 
 namespace swept::test {
 namespace {
@@ -68,8 +74,52 @@ TEST_P(ChainEnds, HoldNobodyUpWhoComesPastThemFromBehind) {
     }
 }
 
+/// Hills from x = -5 to 60 m, in pieces of so many segments.
+void addHills(World& world, double amplitude, double length, double step, std::size_t pieces, bool knowEachOther) {
+    std::vector<Vec2> points;
+    for (double x = 60; x > -5; x -= step) { points.push_back(vec(x, amplitude * std::sin(2 * kPi * x / length))); }
+    const BodyId level = must(world.createBody({}));
+    for (std::size_t i = 0; i + 1 < points.size(); i += pieces) {
+        const std::size_t last = std::min(i + pieces, points.size() - 1);
+        ChainNeighbours beyond;
+        if (knowEachOther && i > 0) { beyond.before = points[i - 1]; }
+        if (knowEachOther && last + 1 < points.size()) { beyond.after = points[last + 1]; }
+        must(world.addChain(level, std::span(points).subspan(i, last - i + 1), false, material(0), 0, beyond));
+    }
+}
+
+/// Where they do not know each other, boxes trip, and balls lose speed, in the valleys between them.
+TEST_P(ChainEnds, OfPiecesThatKnowEachOtherAreNone) {
+    const Polygon things[] = {box(0.4, 0.3), circle(0.3), capsule(0.3, 0.2)};
+    double apart = 0;
+    for (std::uint32_t seed = 0; seed < 6; ++seed) {
+        for (const Polygon& thing : things) {
+            Random random(seed);
+            const double amplitude = random.range(0.03, 0.3);
+            const double length = random.range(6, 20);
+            const double step =
+                random.range(0.7, 1.5);  // no shorter than the things: tolerances follow the smaller extent
+            const double speed = random.range(3, 12);
+            const std::size_t pieces[] = {1000, 4, 1, 4};
+            std::array<DVec2, 4> ends;
+            for (std::size_t i = 0; i < ends.size(); ++i) {
+                World world = makeWorld(GetParam());
+                addHills(world, amplitude, length, step, pieces[i], i < 3);
+                const BodyId body = addBody(world, dynamicAt({0, 1}, vec(speed, 0)), thing, material(0));
+                run(world, 150);
+                ends[i] = world.position(body);
+            }
+            const std::string name = profileName(GetParam()) + ", seed " + std::to_string(seed);
+            EXPECT_EQ(ends[1], ends[0]) << name << ", pieces of four segments";
+            EXPECT_EQ(ends[2], ends[0]) << name << ", of one";
+            apart = std::max(apart, std::hypot(ends[3].x - ends[0].x, ends[3].y - ends[0].y));
+        }
+    }
+    EXPECT_GT(apart, 1) << "there is something to trip over";
+}
+
 INSTANTIATE_TEST_SUITE_P(OfBoth, ChainEnds, testing::ValuesIn(kProfiles),
-                         [](const auto& info) { return profileName(info.param); });
+                         [](const auto& profile) { return profileName(profile.param); });
 
 }  // namespace
 }  // namespace swept::test

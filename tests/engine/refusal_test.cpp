@@ -109,6 +109,13 @@ auto withChain(std::vector<Vec2> points, bool loop, Real radius) {
     return [=](Stage& s) { return s.world.addChain(s.ground, points, loop, {}, radius).status(); };
 }
 
+auto withNeighbours(bool loop, const ChainNeighbours& neighbours) {
+    return [=](Stage& s) {
+        const std::vector<Vec2> three{vec(1, 0), vec(0, 0), vec(0, 1)};
+        return s.world.addChain(s.ground, three, loop, {}, 0, neighbours).status();
+    };
+}
+
 TEST(Refusal, Bodies) {
     expectRefusals({
         {"position", withBody([](BodyDef& d) { d.position.x = kNanDouble; }), StatusCode::notFinite, "position"},
@@ -229,6 +236,13 @@ TEST(Refusal, Chains) {
         {"twice the same", withChain({vec(0, 0), vec(0, 0)}, false, 0), StatusCode::degenerate, "points"},
         {"number", withChain({{kNan, 0}, vec(0, 0)}, false, 0), StatusCode::notFinite, "points"},
         {"radius", withChain(two, false, -1), StatusCode::negative, "radius"},
+        {"number before", withNeighbours(false, {.before = Vec2{kNan, 0}}), StatusCode::notFinite, "before"},
+        {"number after", withNeighbours(false, {.after = Vec2{kInfinity, 0}}), StatusCode::notFinite, "after"},
+        {"far", withNeighbours(false, {.after = Vec2{std::numeric_limits<Real>::max(), 0}}), StatusCode::outOfRange,
+         "after"},
+        {"the end itself before", withNeighbours(false, {.before = vec(1, 0)}), StatusCode::degenerate, "before"},
+        {"the end itself after", withNeighbours(false, {.after = vec(0, 1)}), StatusCode::degenerate, "after"},
+        {"of a loop", withNeighbours(true, {.before = vec(3, 3)}), StatusCode::outOfRange, "before"},
     });
 }
 

@@ -40,6 +40,20 @@ TEST(Chain, OpenChainEndsWithoutNeighbours) {
     EXPECT_FALSE(only.hasBefore || only.hasAfter);
 }
 
+TEST(Chain, ThatGoesOnAsAnotherKnowsItsNeighbours) {
+    for (int i = 0; i < 2; ++i) {  // the first two segments of one chain, and each by itself
+        const auto begin = static_cast<std::size_t>(i);
+        const ChainSegment whole = chainSegment(kSquare, false, 0, i);
+        ChainNeighbours beyond{.after = kSquare[begin + 2]};
+        if (i > 0) { beyond.before = kSquare[begin - 1]; }
+        const ChainSegment piece = chainSegment(std::span(kSquare).subspan(begin, 2), false, 0, 0, beyond);
+        EXPECT_EQ(piece.hasBefore, whole.hasBefore) << i;
+        EXPECT_EQ(piece.hasAfter, whole.hasAfter) << i;
+        EXPECT_EQ(piece.before, whole.before) << i;
+        EXPECT_EQ(piece.after, whole.after) << i;
+    }
+}
+
 TEST(Chain, CollidesOnTheRight) {
     EXPECT_EQ(normalOf(chainSegment(kSquare, true, 0, 0)), (Vec2{0, -1})) << "outside of a counter-clockwise loop";
     const std::array<Vec2, 2> ground = {Vec2{5, 0}, Vec2{-5, 0}};
