@@ -21,6 +21,11 @@ bool isBehind(const WorldState& world, const Contact& contact, const WorldTransf
     return isBehind(world.shapes[contact.shapeA], applyInverse(ofChain, apply(ofShape, middle)));
 }
 
+/// What is in the frame of one body, in that of another one.
+Vec2 middleIn(const WorldState& world, Vec2 middle, std::uint32_t from, std::uint32_t to) {
+    return from == to ? middle : applyInverse(poseNow(world, to), apply(poseNow(world, from), middle));
+}
+
 /// What a body does on the other segments of a chain.
 struct OnChain {
     bool stands = false;
@@ -66,15 +71,33 @@ private:
     bool areSorted_ = false;
 };
 
-/// Whether a chain leads from one segment to another without a corner that is farther away than that.
+/// Whether a chain that ends with one segment goes on as another one that begins with the other.
+bool goesOnAs(const WorldState& world, const Shape& last, const Shape& first) {
+    if (!last.segment.hasAfter || !first.segment.hasBefore) { return false; }
+    if (last.body == first.body) { return last.segment.q == first.segment.p; }
+    if (!canBeJoined(world, last, first)) { return false; }
+    const DVec2 gap =
+        apply(poseNow(world, last.body), last.segment.q) - apply(poseNow(world, first.body), first.segment.p);
+    return length(toReal(gap)) <= kTargetRatio * std::min(last.extent, first.extent);
+}
+
+/// Whether chains lead from one segment to another without a corner that is farther away than that, by no more than two
+/// of them.
+/// @param middle  in the frame of the first one
 bool leads(const WorldState& world, std::uint32_t from, std::uint32_t to, Vec2 middle, Real reach) {
     std::uint32_t at = from;
     while (at != to) {
         const Shape& shape = world.shapes[at];
-        const bool goesOn = shape.segment.hasAfter && length(shape.segment.q - middle) <= reach;
-        at = shape.nextInChain != kNoIndex ? shape.nextInChain : shape.head;
-        const bool isJoined = world.shapes[at].segment.p == shape.segment.q;  // or another chain begins there
-        if (!goesOn || !isJoined || at == from) { return false; }
+        if (!shape.segment.hasAfter || length(shape.segment.q - middle) > reach) { return false; }
+        if (shape.nextInChain != kNoIndex) {
+            at = shape.nextInChain;
+        } else {
+            const Shape& next = world.shapes[world.shapes[to].head];
+            if (!goesOnAs(world, shape, next)) { return false; }
+            middle = middleIn(world, middle, shape.body, next.body);
+            at = world.shapes[to].head;
+        }
+        if (at == from) { return false; }
     }
     return true;
 }
@@ -86,9 +109,9 @@ OnChain othersOf(const WorldState& world, const Contact& contact, ChainContacts&
         applyInverse(poseNow(world, contact.bodyA), apply(poseNow(world, contact.bodyB), middleOf(own.polygon)));
     OnChain others;
     contacts.visitThoseOf(contact.bodyB, [&](const Contact& other) {
-        if (world.shapes[other.shapeA].head != head) { return; }
         if (!other.touching && !other.passes) { return; }
         const bool isBeside = hangTogether(world, own, middle, contact.shapeA, other.shapeA);
+        if (!isBeside && world.shapes[other.shapeA].head != head) { return; }
         others.stands = others.stands || (other.touching && isBeside);
         others.passes = others.passes || other.passes;
         others.passesBeside = others.passesBeside || (other.passes && isBeside);
@@ -181,13 +204,20 @@ Vec2 middleOf(const Polygon& core) {
     return (1 / static_cast<Real>(core.count)) * sum;
 }
 
+bool canBeJoined(const WorldState& world, const Shape& a, const Shape& b) {
+    const auto isFixed = [&world](const Shape& shape) { return world.bodies[shape.body].def.type == BodyType::fixed; };
+    return a.body == b.body || (isFixed(a) && isFixed(b));
+}
+
 bool hangTogether(const WorldState& world, const Shape& own, Vec2 middle, std::uint32_t a, std::uint32_t b) {
     Real reach = 0;
     const Vec2 center = middleOf(own.polygon);
     for (const Vec2 vertex : own.polygon.points()) { reach = std::max(reach, length(vertex - center)); }
     constexpr Real kRoom = 2;  // it may have moved since it stood there
     reach = kRoom * (reach + own.polygon.radius + world.shapes[a].segment.radius);
-    return leads(world, a, b, middle, reach) || leads(world, b, a, middle, reach);
+    const std::uint32_t bodyA = world.shapes[a].body;
+    const std::uint32_t bodyB = world.shapes[b].body;
+    return leads(world, a, b, middle, reach) || leads(world, b, a, middleIn(world, middle, bodyA, bodyB), reach);
 }
 
 bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,

@@ -22,9 +22,12 @@ inline bool isBehind(const Shape& segment, Vec2 place) {
 /// Deeper than this part of the extent nothing stands on a chain: what comes to the front so deep came from the back.
 inline constexpr Real kPassedRatio = Real(1) / 32;
 
-/// Whether two segments of a chain (slots) hang together for a shape: a loop that comes down behind the floor from
-/// which it rose is the same chain, but nobody goes over a corner from one to the other.
-/// @param middle  of the shape, in the frame of the chain
+/// Whether chains with these segments may go on as each other: where their bodies move, they are of one body.
+bool canBeJoined(const WorldState& world, const Shape& a, const Shape& b);
+/// Whether two segments (slots) of a chain, or of one and the one that it goes on as, hang together for a shape: a loop
+/// that comes down behind the floor from which it rose is the same chain, but nobody goes over a corner from one to the
+/// other.
+/// @param middle  of the shape, in the frame of the first one
 bool hangTogether(const WorldState& world, const Shape& own, Vec2 middle, std::uint32_t a, std::uint32_t b);
 
 /// When it is asked. `startCenter` and `startAngle` of bodies tell where they were before as a step begins, and only

@@ -125,11 +125,14 @@ ChainSide sideAt(const WorldState& world, const FlightObstacle& obstacle, const 
     bool isInside = false;
     const auto look = [&](const ChainPasser& passer, Real ratio) {
         const Shape& segment = world.shapes[passer.segment];
-        if (isInside || passer.shape != obstacle.own || segment.head != other.head) { return; }
-        if (isBehind(segment, middle)) { return; }
+        if (isInside || passer.shape != obstacle.own || !canBeJoined(world, segment, other)) { return; }
+        const bool isOneBody = segment.body == other.body;
+        const Sweep ofSegment = isOneBody ? otherSweep : obstacleSweep(world, segment.body, 0, 0);
+        const Vec2 place = isOneBody ? middle : middleAt(world, own, segment, sweep, ofSegment, fraction);
+        if (isBehind(segment, place)) { return; }
         const auto deep = static_cast<double>(ratio * std::min(own.extent, segment.extent));
-        isInside = apartAt(own, segment, sweep, otherSweep, fraction).separation < -deep &&
-                   hangTogether(world, own, middle, passer.segment, obstacle.other);
+        isInside = apartAt(own, segment, sweep, ofSegment, fraction).separation < -deep &&
+                   hangTogether(world, own, place, passer.segment, obstacle.other);
     };
     for (const ChainPasser& passer : scratch.fromBehind) { look(passer, kPassedRatio); }
     visitCrossings(world, scratch, [&](const ChainPasser& passer) { look(passer, kTargetRatio); });

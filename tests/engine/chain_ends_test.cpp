@@ -118,6 +118,35 @@ TEST_P(ChainEnds, OfPiecesThatKnowEachOtherAreNone) {
     EXPECT_GT(apart, 1) << "there is something to trip over";
 }
 
+/// Who comes through one piece from behind comes through the next one, too, as through one chain, also if that is of
+/// another body.
+TEST_P(ChainEnds, OfPiecesThatKnowEachOtherHoldNobodyUpFromBehind) {
+    const Polygon things[] = {box(0.4, 0.2), circle(0.3), capsule(0.3, 0.1)};
+    for (std::uint32_t seed = 0; seed < 120; ++seed) {
+        Random random(seed);
+        World world = makeWorld(GetParam(), 0);
+        const Vec2 right = vec(4, 4 * random.range(-0.4, 0.4));
+        const Vec2 left = vec(-4, 0);
+        const Vec2 origin = seed % 2 == 0 ? Vec2{} : vec(16, 3);
+        const BodyId level = must(world.createBody({}));
+        const BodyId next = must(world.createBody(bodyAt(BodyType::fixed, -toDouble(origin))));
+        const std::array<Vec2, 2> first{right, Vec2{}};
+        const std::array<Vec2, 2> second{origin, left + origin};
+        must(world.addChain(level, first, false, {}, 0, {.after = left}));
+        must(world.addChain(next, second, false, {}, 0, {.before = right + origin}));
+        const double speed = std::exp(random.range(1, 4));
+        const double way = random.range(0.8, kPi - 0.8);
+        const DVec2 velocity{speed * std::cos(way), speed * std::sin(way)};
+        const double wait = 1.5 / velocity.y;
+        BodyDef def = dynamicAt(DVec2{random.range(-0.6, 0.6), 0} - wait * velocity, toReal(velocity));
+        def.angle = random.range(-kPi, kPi);
+        const BodyId body = addBody(world, def, things[seed % 3], material(0.3));
+        const std::string name = profileName(GetParam()) + ", seed " + std::to_string(seed);
+        EXPECT_EQ(lostIn(world, static_cast<int>(2.5 * wait * kRate) + 2), 0) << name;
+        EXPECT_NEAR(static_cast<double>(length(world.velocity(body) - def.velocity)), 0, 1e-4 * speed) << name;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(OfBoth, ChainEnds, testing::ValuesIn(kProfiles),
                          [](const auto& profile) { return profileName(profile.param); });
 
