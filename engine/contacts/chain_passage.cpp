@@ -229,10 +229,12 @@ bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<
         if (!contact.ofChain) { continue; }
         if (contact.passes) {
             contact.passes = isStillInside(world, contact);
-        } else if (contact.manifold.count > 0) {
+        } else {
+            // Beside a corner it may be in a segment without any points, and sweeps have to know.
             const ChainPasser passer{.segment = contact.shapeA, .shape = contact.shapeB};
             const bool isIn = !contact.touching && std::binary_search(crossing.begin(), crossing.end(), passer);
-            contact.passes = isIn || comesThrough(world, contact, moment, ofChains);
+            const bool hasPoints = contact.manifold.count > 0;
+            contact.passes = isIn || (hasPoints && comesThrough(world, contact, moment, ofChains));
         }
         contact.wasSeen = true;
         if (contact.passes) { takePoints(contact); }

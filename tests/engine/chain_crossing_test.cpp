@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -153,6 +154,34 @@ TEST_P(ChainCrossing, OfWhatComesFromBehindTakesNothingFromIt) {
                         EXPECT_EQ(lost, 0) << name;
                         EXPECT_GT(shot.slowest(), 0.999 * speed) << name;
                     }
+                }
+            }
+        }
+    }
+}
+
+/// A plank that got into the side beyond the corner has no points there: the next step did not know of it, and held it.
+TEST_P(ChainCrossing, ThroughAnInnerCornerTakesNothing) {
+    const double speed = GetParam();
+    for (const Profile profile : kProfiles) {
+        for (const double slope : {0.14, 0.27, 0.58, 1.0}) {  // of both sides of a valley
+            for (int turn = 0; turn < 12; ++turn) {
+                for (const double x : {-0.5, -0.25, 0.0, 0.25}) {
+                    World world = makeWorld(profile, 0);
+                    const std::array<Vec2, 3> valley{vec(20, 20 * slope), vec(0, 0), vec(-20, 20 * slope)};
+                    must(world.addChain(must(world.createBody({})), valley, false));
+                    BodyDef def = dynamicAt({x, -2}, vec(0.1 * speed, speed));
+                    def.angle = turn * kPi / 12 + 0.01;
+                    const BodyId plank = addBody(world, def, box(0.5, 0.1));
+                    const std::string name = profileName(profile) + ", slope " + std::to_string(slope) + ", turn " +
+                                             std::to_string(turn) + ", from " + std::to_string(x);
+                    double lost = 0;
+                    for (int i = 0; i < static_cast<int>(8 / speed * kRate) + 2; ++i) {
+                        must(world.step(kStep));
+                        for (const LostTimeEntry& entry : world.lostTime()) { lost += entry.seconds; }
+                    }
+                    EXPECT_EQ(lost, 0) << name;
+                    EXPECT_GT(world.position(plank).y, 3) << name;
                 }
             }
         }
