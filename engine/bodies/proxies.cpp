@@ -1,5 +1,7 @@
 #include "proxies.h"
 
+#include <vector>
+
 #include "world_boxes.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -60,6 +62,8 @@ void removeShapeSlot(WorldState& world, std::uint32_t slot) {
     removeProxy(world, slot);
     countTraits(world, world.shapes[slot].def, -1);
     world.chainShapes -= world.shapes[slot].isChainSegment ? 1U : 0U;
+    std::erase_if(world.crossed,
+                  [slot](const ChainPasser& passer) { return passer.shape == slot || passer.segment == slot; });
     world.shapes.erase(world.shapes.idOf(slot));
 }
 

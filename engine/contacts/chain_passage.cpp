@@ -139,13 +139,30 @@ bool isBeyondOuterCorner(const ChainSegment& segment, Vec2 place) {
     return (isFirst && cross(before, place - segment.p) < 0) || (isLast && cross(after, place - segment.q) < 0);
 }
 
+/// @param ofChain, ofShape  now, or as the last step began
+bool arrivesFromBehind(const WorldState& world, const Contact& contact, const WorldTransform& ofChain,
+                       const WorldTransform& ofShape) {
+    const Shape& segment = world.shapes[contact.shapeA];
+    const Shape& own = world.shapes[contact.shapeB];
+    const DVec2 middle = apply(ofShape, middleOf(own.polygon));
+    const auto velocityOf = [&middle](const BodyMotion& motion) {
+        return motion.velocity + cross(motion.angularVelocity, toReal(middle - motion.center));
+    };
+    return comesAlong({.height = heightOver(segment, ofChain, own, ofShape),
+                       .normal = rotate(ofChain.rotation, segment.polygon.normals[0]),
+                       .velocity = velocityOf(world.motions[contact.bodyB]) - velocityOf(world.motions[contact.bodyA]),
+                       .extent = contact.extent});
+}
+
 /// Whether the middle of the shape was behind as the last step began.
 bool wasBehindBefore(const WorldState& world, const Contact& contact) {
     const Shape& segment = world.shapes[contact.shapeA];
-    const Vec2 middle = middleOf(world.shapes[contact.shapeB].polygon);
-    const Vec2 place = applyInverse(poseBefore(world, contact.bodyA), apply(poseBefore(world, contact.bodyB), middle));
-    const bool isBehindIt = isBehind(segment, place) && !isBeyondOuterCorner(segment.segment, place);
-    return isBehindIt || isBeyondInnerCorner(segment.segment, place);
+    const Shape& own = world.shapes[contact.shapeB];
+    const WorldTransform ofChain = poseBefore(world, contact.bodyA);
+    const WorldTransform ofShape = poseBefore(world, contact.bodyB);
+    const Vec2 place = applyInverse(ofChain, apply(ofShape, middleOf(own.polygon)));
+    if (isBehind(segment, place)) { return !isBeyondOuterCorner(segment.segment, place); }
+    return isBeyondInnerCorner(segment.segment, place) && arrivesFromBehind(world, contact, ofChain, ofShape);
 }
 
 bool isPastStanding(const Contact& contact) {
@@ -165,6 +182,9 @@ bool comesThrough(const WorldState& world, const Contact& contact, Moment moment
 /// @pre it has points
 bool comesFromBeside(const WorldState& world, const Contact& contact, ChainContacts& contacts) {
     if (contact.touching) { return false; }
+    if (!arrivesFromBehind(world, contact, poseNow(world, contact.bodyA), poseNow(world, contact.bodyB))) {
+        return false;
+    }
     const OnChain others = othersOf(world, contact, contacts);
     return !others.stands && (others.passesBeside || (others.passes && isPastStanding(contact)));
 }
@@ -173,21 +193,8 @@ bool comesFromBeside(const WorldState& world, const Contact& contact, ChainConta
 bool isStillInside(const WorldState& world, const Contact& contact) {
     const WorldTransform ofChain = poseNow(world, contact.bodyA);
     const WorldTransform ofShape = poseNow(world, contact.bodyB);
-    const Shape& segment = world.shapes[contact.shapeA];
-    const Vec2 normal = rotate(ofChain.rotation, segment.polygon.normals[0]);
-    const Real clear = separationAlong(segment.polygon, ofChain, world.shapes[contact.shapeB].polygon, ofShape, normal);
-    return clear < -kTargetRatio * contact.extent && !isBehind(world, contact, ofChain, ofShape);
-}
-
-/// In what shapes are that came from behind in the last step, and were not destroyed or put elsewhere since.
-void listCrossing(WorldState& world, std::vector<ChainPasser>& crossing) {
-    crossing.clear();
-    for (const ChainCrossing& crossed : world.crossed) {
-        if (!world.shapes.isAlive(crossed.passer.shape)) { continue; }
-        const std::uint32_t body = world.shapes[crossed.passer.shape].body;
-        if (world.motions[body].center == crossed.center) { crossing.push_back(crossed.passer); }
-    }
-    world.crossed.clear();
+    const Real height = heightOver(world.shapes[contact.shapeA], ofChain, world.shapes[contact.shapeB], ofShape);
+    return height < -kTargetRatio * contact.extent && !isBehind(world, contact, ofChain, ofShape);
 }
 
 void takePoints(Contact& contact) {
@@ -209,6 +216,20 @@ bool canBeJoined(const WorldState& world, const Shape& a, const Shape& b) {
     return a.body == b.body || (isFixed(a) && isFixed(b));
 }
 
+Real heightOver(const Shape& segment, const WorldTransform& ofChain, const Shape& own, const WorldTransform& ofShape) {
+    const Vec2 normal = rotate(ofChain.rotation, segment.polygon.normals[0]);
+    return separationAlong(segment.polygon, ofChain, own.polygon, ofShape, normal);
+}
+
+bool comesAlong(const ChainArrival& arrival) {
+    constexpr Real kNoise = Real(1) / 16;
+    // What rises, and not only by noise, is nearly out, and stands on nothing.
+    const bool rises = dot(arrival.velocity, arrival.normal) > kNoise * length(arrival.velocity);
+    if (rises) { return arrival.height < -kTargetRatio * arrival.extent; }
+    constexpr Real kOnTop = 1 - 2 * kPassedRatio;  // of a circle that is as deep as that
+    return arrival.height < -kPassedRatio * arrival.extent && dot(arrival.towards, arrival.normal) < kOnTop;
+}
+
 bool hangTogether(const WorldState& world, const Shape& own, Vec2 middle, std::uint32_t a, std::uint32_t b) {
     Real reach = 0;
     const Vec2 center = middleOf(own.polygon);
@@ -227,15 +248,12 @@ bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<
     for (const std::uint32_t i : renewed) {
         Contact& contact = contacts[i];
         if (!contact.ofChain) { continue; }
-        if (contact.passes) {
-            contact.passes = isStillInside(world, contact);
-        } else {
-            // Beside a corner it may be in a segment without any points, and sweeps have to know.
-            const ChainPasser passer{.segment = contact.shapeA, .shape = contact.shapeB};
-            const bool isIn = !contact.touching && std::binary_search(crossing.begin(), crossing.end(), passer);
-            const bool hasPoints = contact.manifold.count > 0;
-            contact.passes = isIn || (hasPoints && comesThrough(world, contact, moment, ofChains));
-        }
+        const ChainPasser passer{.segment = contact.shapeA, .shape = contact.shapeB};
+        // It may have no points, where another piece of the chain has them: for sweeps it is in the way all the same.
+        const bool isIn =
+            contact.passes || (!contact.touching && std::binary_search(crossing.begin(), crossing.end(), passer));
+        contact.passes = (isIn && isStillInside(world, contact)) || (!contact.passes && contact.manifold.count > 0 &&
+                                                                     comesThrough(world, contact, moment, ofChains));
         contact.wasSeen = true;
         if (contact.passes) { takePoints(contact); }
         any = any || contact.passes;
@@ -252,11 +270,10 @@ bool letThrough(const WorldState& world, std::span<Contact> contacts, std::span<
 
 void letThrough(WorldState& world) {
     world.chainPassers.clear();
-    std::vector<ChainPasser>& crossing = world.chainCrossing;
-    listCrossing(world, crossing);
-    if (!letThrough(world, world.contacts, world.lists.ground, Moment::stepBegins, crossing, world.chainContacts)) {
-        return;
-    }
+    const bool any =
+        letThrough(world, world.contacts, world.lists.ground, Moment::stepBegins, world.crossed, world.chainContacts);
+    world.crossed.clear();
+    if (!any) { return; }
     for (const std::uint32_t i : world.lists.ground) {
         const Contact& contact = world.contacts[i];
         if (contact.passes) { world.chainPassers.push_back({contact.shapeA, contact.shapeB}); }

@@ -2,13 +2,15 @@
 
 #include <span>
 
+#include "../state/tolerances.h"
 #include "../state/world_state.h"
 
 /// Shapes that come through a chain from its back, as who jumps onto a platform from below. A chain is solid for a
 /// shape as soon as the middle of its core is in front, and half of the shape may be behind it then: pushed out, it
 /// would be lifted by that much. So the contact of a shape whose middle came to the front while it crossed the segment
 /// has no points until the shape is all in front, or its middle behind again. Nor have those of the pieces that it gets
-/// to meanwhile. What is fast gets behind a piece and through it within a step: flight/chain_crossing.h.
+/// to meanwhile, with a part of it behind them: who comes through a door down onto the floor, of the same chain, lands.
+/// What is fast gets behind a piece and through it within a step: flight/chain_crossing.h.
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -21,6 +23,20 @@ inline bool isBehind(const Shape& segment, Vec2 place) {
 
 /// Deeper than this part of the extent nothing stands on a chain: what comes to the front so deep came from the back.
 inline constexpr Real kPassedRatio = Real(1) / 32;
+
+/// How far a shape is from the plane of a chain segment, by its lowest point, metres.
+Real heightOver(const Shape& segment, const WorldTransform& ofChain, const Shape& own, const WorldTransform& ofShape);
+/// What is in one piece of a chain, or behind it, and gets to another one in front of its middle.
+struct ChainArrival {
+    Real height = 0;  ///< `heightOver` the other one
+    Vec2 normal{};    ///< of that, world
+    Vec2 towards{};   ///< as it is touched first: from that to the shape, unit, world; 0: it may be in it already
+    Vec2 velocity{};  ///< of the middle, seen from that; in any unit
+    Real extent = 0;  ///< of both
+};
+/// Whether it gets there from behind: some of it is there. Else it comes down onto its front, as who comes through a
+/// door onto the floor.
+bool comesAlong(const ChainArrival& arrival);
 
 /// Whether chains with these segments may go on as each other: where their bodies move, they are of one body.
 bool canBeJoined(const WorldState& world, const Shape& a, const Shape& b);

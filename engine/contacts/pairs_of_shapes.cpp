@@ -201,6 +201,9 @@ void dropContacts(WorldState& world, std::uint32_t slot) {
     wakeAcross(world, slot, places);
     wakeJoined(world, slot);
     removePairs(world, places);
+    std::erase_if(world.crossed, [&world, slot](const ChainPasser& passer) {
+        return world.shapes[passer.shape].body == slot || world.shapes[passer.segment].body == slot;
+    });
 }
 
 void reportEnd(const WorldState& world, const ContactProbe& probe, std::vector<ContactEvent>& events) {

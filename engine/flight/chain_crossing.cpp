@@ -25,6 +25,28 @@ Toi apartAt(const Shape& own, const Shape& segment, const Sweep& sweep, const Sw
     return separationAt(asToiPolygon(segment.polygon), otherSweep, asToiPolygon(own.polygon), sweep, fraction);
 }
 
+/// How fast a place that goes with a swept body does, by the unit of its time.
+DVec2 velocityOf(const Sweep& sweep, double fraction, DVec2 place) {
+    const DVec2 arm = place - centerAt(sweep, fraction);
+    const double turn = sweep.a1 - sweep.a0;
+    return (sweep.c1 - sweep.c0) + (2 * fraction - 1) * sweep.k + DVec2{-turn * arm.y, turn * arm.x};
+}
+
+/// Whether a shape that is in another piece of the chain, or behind it, gets to this one from behind, too.
+/// @param towards  from the segment to the shape, unit, world
+bool getsThereBehind(const WorldState& world, const Shape& own, const Shape& segment, const Sweep& sweep,
+                     const Sweep& otherSweep, double fraction, Vec2 towards) {
+    const WorldTransform pose = motionAt(sweep, fraction, world.bodies[own.body].localCenter).pose;
+    const WorldTransform otherPose = motionAt(otherSweep, fraction, world.bodies[segment.body].localCenter).pose;
+    const DVec2 middle = apply(pose, middleOf(own.polygon));
+    const DVec2 velocity = velocityOf(sweep, fraction, middle) - velocityOf(otherSweep, fraction, middle);
+    return comesAlong({.height = heightOver(segment, otherPose, own, pose),
+                       .normal = rotate(otherPose.rotation, segment.polygon.normals[0]),
+                       .towards = towards,
+                       .velocity = toReal(velocity),
+                       .extent = std::min(own.extent, segment.extent)});
+}
+
 /// What is nearest to an inner corner is behind the chain, though it may be in front of one of its two sides.
 /// @param beside  the middle of the shape, or a place along the normal of the contact: the middle of a bar may be
 /// anywhere
@@ -115,6 +137,9 @@ ChainSide sideAt(const WorldState& world, const FlightObstacle& obstacle, const 
                                                                                           : ChainSide::back;
     }
     const Toi met = apartAt(own, other, sweep, otherSweep, fraction);
+    if (!getsThereBehind(world, own, other, sweep, otherSweep, fraction, toReal(met.normal))) {
+        return ChainSide::front;
+    }
     if (met.featureA.first >= 0 && met.featureA.second < 0) {
         const Vec2 nearest = other.polygon.vertices[static_cast<std::size_t>(met.featureA.first)];
         const WorldTransform pose = motionAt(otherSweep, fraction, world.bodies[other.body].localCenter).pose;
@@ -153,7 +178,12 @@ bool StartAtChains::isBehind(std::uint32_t segment) {
 
 bool StartAtChains::isCrossing(std::uint32_t segment, const FlightScratch& scratch) const {
     if (isListed(scratch.crossings, {.segment = segment, .shape = shape_})) { return true; }
-    return !scratch.knowsCrossings && passesChain(world_, shape_, segment);
+    if (scratch.knowsCrossings || !passesChain(world_, shape_, segment)) { return false; }
+    // It was in it as the step began. What meets others on its way may have left it, and come back from the front.
+    const Shape& own = world_.shapes[shape_];
+    const Shape& other = world_.shapes[segment];
+    const WorldTransform ofChain = groundPose(world_, other.body, from_);
+    return heightOver(other, ofChain, own, pose_) < -kTargetRatio * std::min(own.extent, other.extent);
 }
 
 bool passesFromBehind(const WorldState& world, FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep,

@@ -38,10 +38,7 @@ void merge(WorldState& world, FlightScratch& scratch) {
     moveAll(world.contactEvents, scratch.events);
     moveAll(world.lostTime, scratch.lostTime);
     moveAll(world.impactPoses, scratch.impactPoses);
-    for (const ChainPasser& passer : scratch.crossed) {
-        world.crossed.push_back({passer, world.motions[world.shapes[passer.shape].body].center});
-    }
-    scratch.crossed.clear();
+    moveAll(world.crossed, scratch.crossed);
     addPart(world.counters, scratch.counters);
     scratch.counters = {};
 }
@@ -83,8 +80,7 @@ void sweepFastBodies(WorldState& world, double dt) {
         }
     });
     for (FlightScratch& scratch : world.flightScratch) { merge(world, scratch); }
-    std::sort(world.crossed.begin(), world.crossed.end(),
-              [](const ChainCrossing& a, const ChainCrossing& b) { return a.passer < b.passer; });
+    std::sort(world.crossed.begin(), world.crossed.end());
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -120,8 +120,7 @@ struct WorldState : Workers {
     HemmedPairs hemmed;                             ///< likewise
     SleepingPairs sleepingPairs;
     std::vector<ChainPasser> chainPassers;     ///< of this step, in order
-    std::vector<ChainPasser> chainCrossing;    ///< scratch of `letThrough`
-    std::vector<ChainCrossing> crossed;        ///< in which sweeps of the last one ended, in order
+    std::vector<ChainPasser> crossed;          ///< in which sweeps of the last one ended, in order; none is stale
     std::vector<std::uint64_t> chainContacts;  ///< scratch of `letThrough`
     std::vector<BodyTraits> traits;            ///< by body slot, of this step
     RawVector<std::uint32_t>

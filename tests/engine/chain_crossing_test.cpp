@@ -242,6 +242,145 @@ TEST_P(ChainCrossing, IsOverForWhatComesBackFromACeiling) {
     }
 }
 
+/// Planks that come through both sides of a corner at once: between the two is no contact that knew of it, and one in
+/// ten hung there for ever.
+TEST(ChainCrossingOfACorner, HoldsNoPlank) {
+    for (const Profile profile : kProfiles) {
+        for (const double half : {0.2, kPi / 4}) {
+            for (const double speed : {5.0, 13.0, 40.0, 100.0}) {
+                for (const double tilt : {0.3, 0.9}) {
+                    for (const double offset : {-0.3, 0.0, 0.1, 0.25, 0.37}) {
+                        World world = makeWorld(profile, 0);
+                        const double x = 10 * std::sin(half);
+                        const double y = 10 * std::cos(half);
+                        const std::vector<Vec2> points{vec(x, y), vec(0, 0), vec(-x, y)};
+                        must(world.addChain(must(world.createBody({})), points, false, material(0)));
+                        BodyDef def = dynamicAt({offset, -2.6}, vec(0, speed));
+                        def.angle = tilt;
+                        const BodyId plank = addBody(world, def, box(0.5, 0.05), material(0));
+                        double lost = 0;
+                        for (int i = 0; i < 150 && world.position(plank).y < 8; ++i) {
+                            must(world.step(kStep));
+                            for (const LostTimeEntry& entry : world.lostTime()) { lost += entry.seconds; }
+                        }
+                        const std::string name = profileName(profile) + ", half angle " + std::to_string(half) + ", " +
+                                                 std::to_string(speed) + " m/s, tilt " + std::to_string(tilt) +
+                                                 ", offset " + std::to_string(offset);
+                        EXPECT_GE(world.position(plank).y, 8) << name;
+                        EXPECT_EQ(lost, 0) << name;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A floor, and a wall that stands on its end, one chain: who comes through the wall from behind lands on the floor, in
+/// front of which he is. It fell through, since it was in the chain: 2504 of 7500 balls, boxes, planks, carts, pairs.
+TEST(ChainCrossingOfADoor, IsNoneOfTheFloor) {
+    for (const Profile profile : kProfiles) {
+        for (const bool isRound : {false, true}) {
+            for (const bool isBall : {true, false}) {
+                for (const double speed : {2.0, 13.0, 40.0}) {
+                    for (const double angle : {0.0, -0.7}) {
+                        for (const double above : {0.05, 0.1, 0.25, 0.6}) {
+                            World world = makeWorld(profile);
+                            std::vector<Vec2> points{vec(40, 0)};
+                            constexpr double kFillet = 0.3;
+                            for (double turn = 0; turn < 1.6; turn += isRound ? kPi / 16 : 2) {
+                                const double size = isRound ? kFillet : 0;
+                                points.push_back(vec(size - size * std::sin(turn), size - size * std::cos(turn)));
+                            }
+                            points.push_back(vec(0, 5));
+                            must(world.addChain(must(world.createBody({})), points, false, material(0.3)));
+                            addStatic(world, box(20, 1), material(0.3), {isRound ? kFillet - 20 : -20, -1});
+                            constexpr double kHalf = 0.2;
+                            const double start = (isRound ? 0.2 : 0) + kHalf + above + std::tan(-angle);
+                            const Polygon shape = isBall ? circle(kHalf) : box(kHalf, kHalf);
+                            const Vec2 velocity = vec(speed * std::cos(angle), speed * std::sin(angle));
+                            const BodyId body = addBody(world, dynamicAt({-1, start}, velocity), shape, material(0.3));
+                            run(world, 120);
+                            const DVec2 place = world.position(body);
+                            if (place.x > 39) { continue; }  // it left at the other end
+                            EXPECT_GT(place.y, 0) << profileName(profile) << ", " << isRound << isBall << ", " << speed
+                                                  << " m/s, " << angle << ", " << above;
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A ball that is half in a chain as a step ends.
+struct HalfThrough {
+    World world;
+    BodyId ground;
+    ShapeId chain;
+    BodyId ball;
+    double top = 0;  ///< of the ball
+
+    explicit HalfThrough(Profile profile, double speed) : world(makeWorld(profile, 0)) {
+        ground = must(world.createBody({}));
+        chain = must(world.addChain(ground, std::vector{vec(5, 0), vec(-5, 0)}, false));
+        constexpr double kBall = 0.2;
+        ball = addBody(world, dynamicAt({0, 0.1 - 3 * speed * kStep}, vec(0, speed)), circle(kBall));
+        run(world, 3);
+        top = world.position(ball).y + kBall;
+        EXPECT_NEAR(top, kBall + 0.1, 0.01);
+    }
+};
+
+/// What is built in its place, or where the chain is put, is no chain that the ball is in, and stands in its way.
+TEST(ChainCrossingEnds, WithTheChainAndWhereItIs) {
+    for (const Profile profile : kProfiles) {
+        for (const double speed : {20.0, 100.0}) {
+            HalfThrough built(profile, speed);
+            const double wall = built.top + 0.0005;
+            must(built.world.destroyShape(built.chain));
+            must(built.world.addChain(built.ground, std::vector{vec(-5, wall), vec(5, wall)}, false));
+            run(built.world, 5);
+            EXPECT_LT(built.world.position(built.ball).y, wall) << profileName(profile) << ", " << speed << " m/s";
+            HalfThrough moved(profile, speed);
+            must(moved.world.setPose(moved.ground, {0, wall}, kPi));
+            run(moved.world, 5);
+            EXPECT_LT(moved.world.position(moved.ball).y, wall) << profileName(profile) << ", " << speed << " m/s";
+        }
+    }
+}
+
+/// As from a ceiling, but of what looks for others on its way: bullets, and balls that touch and bounce.
+TEST(ChainCrossingOfBullets, IsOverForWhatComesBack) {
+    constexpr double kBall = 0.05;
+    for (const Profile profile : kProfiles) {
+        for (const bool areTwo : {false, true}) {
+            for (const double speed : {5.0, 10.0, 30.0}) {
+                for (int i = 0; i < 24; ++i) {
+                    Shot shot(profile, kLine, Thing::ball, 0, 0, true, 30);
+                    World& world = shot.world;
+                    ShapeDef bouncy = material(0, 1);
+                    addStatic(world, box(5, 0.5), bouncy, {0, areTwo ? 0.63 : 0.61});
+                    std::vector<BodyId> balls;
+                    for (int k = 0; k < (areTwo ? 2 : 1); ++k) {
+                        const DVec2 start{0.03 + 0.10005 * k, -1 - speed * kStep * i / 24};
+                        BodyDef def = dynamicAt(start, vec(0, speed));
+                        def.bullet = !areTwo;
+                        balls.push_back(addBody(world, def, circle(kBall), bouncy));
+                    }
+                    for (int step = 0; step < 30; ++step) {
+                        must(world.step(kStep));
+                        for (const BodyId ball : balls) {
+                            const bool isBack = world.position(ball).y < 0 && world.velocity(ball).y < 0;
+                            ASSERT_FALSE(isBack) << profileName(profile) << ", " << areTwo << ", " << speed << " m/s, "
+                                                 << i << ", step " << step;
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// A floor of x < 0 that goes over into a loop, which comes down where the floor is.
 std::vector<Vec2> floorAndLoop(double piece) {
     constexpr double kLoop = 4;
