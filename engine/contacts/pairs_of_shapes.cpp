@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <vector>
 
 #include "../bodies/awake.h"
 #include "../bodies/body_joints.h"

@@ -26,7 +26,7 @@ Toi apartAt(const Shape& own, const Shape& segment, const Sweep& sweep, const Sw
 }
 
 /// How fast a place that goes with a swept body does, by the unit of its time.
-DVec2 velocityOf(const Sweep& sweep, double fraction, DVec2 place) {
+DVec2 velocityThere(const Sweep& sweep, double fraction, DVec2 place) {
     const DVec2 arm = place - centerAt(sweep, fraction);
     const double turn = sweep.a1 - sweep.a0;
     return (sweep.c1 - sweep.c0) + (2 * fraction - 1) * sweep.k + DVec2{-turn * arm.y, turn * arm.x};
@@ -39,7 +39,7 @@ bool getsThereBehind(const WorldState& world, const Shape& own, const Shape& seg
     const WorldTransform pose = motionAt(sweep, fraction, world.bodies[own.body].localCenter).pose;
     const WorldTransform otherPose = motionAt(otherSweep, fraction, world.bodies[segment.body].localCenter).pose;
     const DVec2 middle = apply(pose, middleOf(own.polygon));
-    const DVec2 velocity = velocityOf(sweep, fraction, middle) - velocityOf(otherSweep, fraction, middle);
+    const DVec2 velocity = velocityThere(sweep, fraction, middle) - velocityThere(otherSweep, fraction, middle);
     return comesAlong({.height = heightOver(segment, otherPose, own, pose),
                        .normal = rotate(otherPose.rotation, segment.polygon.normals[0]),
                        .towards = towards,
