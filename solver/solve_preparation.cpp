@@ -45,4 +45,12 @@ bool needsContactsPrepared(const SolverBatch& batch, const SolverSettings& setti
     return batch.store == nullptr && (settings.bounces || looksAtContacts(settings.direct));
 }
 
+void Solver::countJointBlocks(SolveReport& report) const {
+    report.hingeBlocks = hinges_.blockCount();
+    report.rodBlocks = rods_.blockCount();
+    report.slideBlocks = slides_.blockCount();
+    report.wheelBlocks = wheels_.blockCount();
+    report.weldBlocks = welds_.blockCount();
+}
+
 }  // namespace swept::inline SWEPT_PRECISION

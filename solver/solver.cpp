@@ -224,16 +224,24 @@ void Solver::holdSettled(SolverBatch& batch, const SolverSettings& settings, Sol
 /// RATTLE (Andersen 1983): half of the drive, velocities such that the motion ends where the constraints hold, the
 /// motion, the other half, velocities that keep them. Second order and symplectic, so that a pendulum keeps its energy.
 /// Iteration comes after each direct solve, for what that leaves out.
+///
+/// Where contacts take turns with joints, all of the drive comes before the motion: what rests must stay as it is when
+/// each had a turn, from the impulses of the sub-step before. Those are for all of the drive. Against half of it they
+/// would push bodies apart, and one turn does not share out what is to be taken back: a crate in fingers on a heavy
+/// head climbed by 1.8 mm/s. (Of joints alone the motion is the same either way: between two motions it is the same
+/// drive.)
 template <bool kJoints>
 void Solver::subStepDirectly(SolverBatch& batch, const SolverSettings& settings, Real h, SolveReport& report) {
+    const bool isInTurns = takesTurns(settings.direct, !batch.contacts.empty());
     report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
+    if (isInTurns) { report.speedsLimited += integrateVelocities(batch, settings.maxSpeed); }
     direct_.noteMotions(batch);
     warmStart<kJoints>(batch, true);
     direct_.solve(batch, h, true, report.direct);
     solveColours<kJoints>(batch, {.h = h, .useBias = true, .isLast = settings.relaxPasses == 0});
     if constexpr (kJoints) { direct_.holdAgain(batch, report.direct); }
     integratePositions(batch, h);
-    report.speedsLimited += integrateVelocities(batch, settings.maxSpeed);
+    if (!isInTurns) { report.speedsLimited += integrateVelocities(batch, settings.maxSpeed); }
     direct_.solve(batch, h, false, report.direct);
     for (int pass = 0; pass < settings.relaxPasses; ++pass) {
         solveColours<kJoints>(batch, {.h = h, .isLast = pass + 1 == settings.relaxPasses});
@@ -320,14 +328,6 @@ void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, Sol
 void Solver::buildJointBlocks(SolverBatch& batch, bool isWide, TaskSystem& ofManyHinges) {
     hinges_.build(batch, graph_, isWide, ofManyHinges);
     forEachPlainBlocks([&](auto& blocks) { blocks.build(batch, graph_, isWide); });
-}
-
-void Solver::countJointBlocks(SolveReport& report) const {
-    report.hingeBlocks = hinges_.blockCount();
-    report.rodBlocks = rods_.blockCount();
-    report.slideBlocks = slides_.blockCount();
-    report.wheelBlocks = wheels_.blockCount();
-    report.weldBlocks = welds_.blockCount();
 }
 
 template <bool kJoints>

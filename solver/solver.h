@@ -37,7 +37,8 @@ struct SolverSettings {
     bool coarseImpacts = false;  ///< bounces in large piles are gone through a few times only, see `ImpactRule`
     bool wide = true;            ///< contacts in blocks where kernels are there; false: one by one, with the same bits
     /// What is solved all at once (`DirectSolver`), where that pays. Unless it is none, the drives of the batch are
-    /// then those of half a sub-step: one half before its motion and one after.
+    /// then those of half a sub-step: one half before its motion and one after; both before it, where joints are solved
+    /// so and take turns with contacts.
     DirectScope direct = DirectScope::none;
     /// Joints that are solved so close their errors within so long, s, at least: what shorter sub-steps leave of that
     /// speed would be energy. 0: within a sub-step.

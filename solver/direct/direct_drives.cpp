@@ -56,7 +56,8 @@ void DirectDrives::mark(SolverBatch& batch, const DirectSystem& system, bool are
     });
 }
 
-void DirectDrives::begin() {
+void DirectDrives::begin(bool isWhole) {
+    isWhole_ = isWhole;
     drives_.clear();
     for (std::vector<Memory>& drives : remembered_) { drives.clear(); }
 }
@@ -69,6 +70,8 @@ void DirectDrives::begin() {
 /// A motor joint may drive what other joints hold anyway, and must not be made to work against them: it is expected to
 /// give in the end what it gave before. (With twice what the first half found, a point drive beside a hinge grew by an
 /// eighth in each sub-step, and what it drove crept by 2 mm/s.)
+///
+/// Where all of the drive comes before the motion both solves are for all of it, and begin with what there is.
 void DirectDrives::gather(SolverBatch& batch, DirectSystem& system, Real h, bool useBias) {
     drives_.clear();
     isFirstHalf_ = useBias;
@@ -92,7 +95,7 @@ void DirectDrives::gather(SolverBatch& batch, DirectSystem& system, Real h, bool
         } else {
             Drive& drive = drives_.emplace_back();
             drive.rows[0] = row;
-            drive.most = (useBias ? 0.5 : 1.0) * static_cast<double>(motor.most);
+            drive.most = (useBias && !isWhole_ ? 0.5 : 1.0) * static_cast<double>(motor.most);
             drive.isPatient = motor.isOfMotorJoint;
         }
         continues = motor.hasOther;
@@ -103,12 +106,13 @@ void DirectDrives::gather(SolverBatch& batch, DirectSystem& system, Real h, bool
 void DirectDrives::expect() {
     const std::vector<Memory>& remembered = remembered_[isFirstHalf_ ? 0 : 1];
     if (isFirstHalf_) { ended_.clear(); }
+    const double share = isFirstHalf_ ? 0.5 : 2.0;
     for (std::size_t i = 0; i < drives_.size(); ++i) {
         Drive& drive = drives_[i];
         const Push before{drive.rows[0].before, drive.count > 1 ? drive.rows[1].before : 0};
         if (isFirstHalf_) { ended_.push_back(before); }
         const bool isPatient = !isFirstHalf_ && drive.isPatient;
-        const Push expected = isPatient ? ended_[i] : times(isFirstHalf_ ? 0.5 : 2.0, before);
+        const Push expected = isPatient ? ended_[i] : times(isWhole_ ? 1.0 : share, before);
         const bool isWithin = sizeOf(expected) < drive.most;
         const Push guess = isWithin ? expected : times(drive.most, unitOf(expected));
         for (std::size_t k = 0; k < drive.count; ++k) { drive.rows[k].row.guess = guess[k]; }

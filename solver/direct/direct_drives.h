@@ -25,8 +25,8 @@ public:
     /// Tells joints whether their motors are rows here (`JointConstraint::isDriveHeld`).
     static void mark(SolverBatch& batch, const DirectSystem& system, bool areHeld);
 
-    /// Once a step.
-    void begin();
+    /// Once a step. @param isWhole  all of the drive comes before the motion, none after it
+    void begin(bool isWhole);
     /// Before each solve. @param useBias  as in the kernels of the constraints: the first half of a sub-step
     void gather(SolverBatch& batch, DirectSystem& system, Real h, bool useBias);
 
@@ -95,6 +95,7 @@ private:
     std::array<std::vector<Memory>, 2> remembered_;  ///< of them, with bias and without, in this step
     std::vector<Push> ended_;                        ///< with what they ended the sub-step before
     bool isFirstHalf_ = true;                        ///< the present solve is the one with bias
+    bool isWhole_ = false;                           ///< each solve is for all of the drive
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -22,6 +22,9 @@ constexpr bool holdsDrives(DirectScope scope) {
     return scope == DirectScope::freeJoints || scope == DirectScope::joints || scope == DirectScope::jointed;
 }
 
+/// Whether joints are solved all at once and contacts one by one, so that they take turns.
+constexpr bool takesTurns(DirectScope scope, bool hasContacts) { return scope == DirectScope::joints && hasContacts; }
+
 /// Whether scope `jointed` is worth its time: each contact is answered by every body, twice in a sub-step.
 constexpr bool mayBeJointed(std::size_t contacts, std::size_t bodies) { return contacts * bodies <= 512; }
 

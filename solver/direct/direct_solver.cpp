@@ -40,7 +40,7 @@ bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient
     mayGiveUpForGood_ = isPatient || isTakenBack;
     hasGivenUp_ = false;
     joints_.begin();
-    drives_.begin();
+    drives_.begin(takesTurns(scope, !batch.contacts.empty()));
     jointed_.begin();
     listNodes(batch);
     if (system_.nodes().empty() || !couple(batch)) { return false; }
@@ -104,9 +104,14 @@ bool DirectSolver::solve(SolverBatch& batch, Real h, bool useBias, DirectReport&
     return true;
 }
 
+bool DirectSolver::needsToHoldAgain(const SolverBatch& batch) const {
+    const bool hasContacts = !batch.contacts.empty();
+    if (takesTurns(scope_, hasContacts)) { return true; }
+    return !hasContacts && !drives_.isEmpty() && isAnyIterated(batch);
+}
+
 void DirectSolver::holdAgain(SolverBatch& batch, DirectReport& report) {
-    // Where there are contacts, they have the last word.
-    if (drives_.isEmpty() || !batch.contacts.empty() || !isAnyIterated(batch)) { return; }
+    if (!needsToHoldAgain(batch)) { return; }
     joints_.gatherAgain(batch.states);
     drives_.takeUp(batch.states);
     drives_.searchAgain(system_, joints_, report);
