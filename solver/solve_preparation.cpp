@@ -45,6 +45,23 @@ bool needsContactsPrepared(const SolverBatch& batch, const SolverSettings& setti
     return batch.store == nullptr && (settings.bounces || looksAtContacts(settings.direct));
 }
 
+/// In the order of colours: so the contacts of a store stand there, too, once they do. Others are listed before they
+/// are laid into blocks, with the speed that they are given here.
+void Solver::listBouncing(SolverBatch& batch, const SolverSettings& settings) {
+    bouncing_.clear();
+    if (!settings.bounces) { return; }
+    const auto note = [&](ContactConstraint& contact) {
+        if (!(contact.restitution > 0)) { return; }
+        contact.bounceSpeed = settings.restitutionThreshold;
+        bouncing_.push_back(&contact);
+    };
+    if (batch.store != nullptr) {
+        for (ContactConstraint& contact : batch.contacts) { note(contact); }
+        return;
+    }
+    for (const std::uint32_t place : graph_.contacts()) { note(batch.contacts[place]); }
+}
+
 void Solver::countJointBlocks(SolveReport& report) const {
     report.hingeBlocks = hinges_.blockCount();
     report.rodBlocks = rods_.blockCount();

@@ -41,10 +41,11 @@ public:
     /// @param useBias  as in the kernels of the constraints
     /// @return whether contacts, if any are in scope, are solved; else nothing was changed
     bool solve(SolverBatch& batch, Real h, bool useBias, DirectReport& report);
-    /// Before bodies move: takes back what iteration did to the rows since they were solved. Where motors are rows, that
-    /// of springs and limits: gaps of joints close anyway, but nothing brings back an angle that a brake held. Where
-    /// contacts take turns with joints, that of contacts: a gap that they open would close within the next sub-step,
-    /// with all the mass that hangs on the joint, while what a joint does to a contact is left to a soft spring.
+    /// Before bodies move: takes back what iteration did to the rows since they were solved. Where motors are rows,
+    /// that of springs and limits: gaps of joints close anyway, but nothing brings back an angle that a brake held.
+    /// Where contacts take turns with joints, that of contacts: a gap that they open would close within the next
+    /// sub-step, with all the mass that hangs on the joint, while what a joint does to a contact is left to a soft
+    /// spring.
     /// @pre `solve` with bias came before, and bodies stand where they did then
     void holdAgain(SolverBatch& batch, DirectReport& report);
     /// Moves the bodies, not their velocities, towards zero separation of all that presses or overlaps. (What a

@@ -168,39 +168,5 @@ TEST_P(Platform, IsLeftDownwardsByAFilter) {
     EXPECT_NEAR(jump.height(), kTall - kGravity / 2, 0.1);
 }
 
-/// A floor that goes over into a loop, all of one chain, from left to right: the loop comes down where the floor is.
-std::vector<Vec2> floorAndLoop(double piece) {
-    constexpr double kLoop = 4;
-    std::vector<Vec2> points;
-    for (double x = -6; x < 0; x += piece) { points.push_back(vec(x, 0)); }
-    for (double turn = 0; turn < 0.97 * 2 * kPi; turn += piece / kLoop) {
-        points.push_back(vec(kLoop * std::sin(turn), kLoop - kLoop * std::cos(turn)));
-    }
-    std::reverse(points.begin(), points.end());
-    return points;
-}
-
-/// Who rolls on one part of a chain comes through another one of it as through that of any other: it was thrown up by
-/// the whole radius, since it stood on the same chain.
-TEST(PlatformOfAFloor, LetsThroughWhoStandsOnThat) {
-    constexpr double kBall = 0.2;
-    for (const Profile profile : {Profile::fast, Profile::accurate}) {
-        for (const double piece : {0.05, 0.1, 0.5}) {
-            World world = makeWorld(profile);
-            const BodyId ground = must(world.createBody({}));
-            must(world.addChain(ground, floorAndLoop(piece), false, material(0)));
-            const BodyId ball = addBody(world, dynamicAt({-3, kBall}, vec(2, 0)), circle(kBall), material(0));
-            double highest = 0;
-            for (int i = 0; i < 600 && world.position(ball).x < -0.1; ++i) {
-                must(world.step(kStep));
-                highest = std::max(highest, world.position(ball).y);
-            }
-            const std::string name = profileName(profile) + ", pieces of " + std::to_string(piece) + ": ";
-            expectAtMost(name + "height", highest, kBall + 0.001);
-            EXPECT_NEAR(velocityOf(world, ball).x, 2, 0.01) << name;
-        }
-    }
-}
-
 }  // namespace
 }  // namespace swept::test
