@@ -8,21 +8,26 @@
 #include "../shapes/aabb.h"
 #include "../shapes/manifold.h"
 #include "scene_reader.h"
+#include "world_builder.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
 namespace {
 
 /// The i-th edge of a chain, with its neighbours.
-ChainSegment segmentOf(const std::vector<Polygon>& edges, std::size_t i, bool loop) {
+ChainSegment segmentOf(const std::vector<Polygon>& edges, std::size_t i, const ChainGeometry& chain) {
     ChainSegment segment;
     segment.p = edges[i].vertices[0];
     segment.q = edges[i].vertices[1];
     segment.radius = edges[i].radius;
-    segment.hasBefore = loop || i > 0;
-    segment.hasAfter = loop || i + 1 < edges.size();
-    if (segment.hasBefore) { segment.before = edges[(i + edges.size() - 1) % edges.size()].vertices[0]; }
-    if (segment.hasAfter) { segment.after = edges[(i + 1) % edges.size()].vertices[1]; }
+    const ChainNeighbours beyond = neighboursOf(chain);
+    const bool isInnerStart = chain.loop || i > 0;
+    const bool isInnerEnd = chain.loop || i + 1 < edges.size();
+    segment.hasBefore = isInnerStart || beyond.before;
+    segment.hasAfter = isInnerEnd || beyond.after;
+    segment.before =
+        isInnerStart ? edges[(i + edges.size() - 1) % edges.size()].vertices[0] : beyond.before.value_or(Vec2{});
+    segment.after = isInnerEnd ? edges[(i + 1) % edges.size()].vertices[1] : beyond.after.value_or(Vec2{});
     return segment;
 }
 
@@ -84,7 +89,7 @@ void PresentContacts::addShape(std::size_t body, ShapeId shape, const ShapeDescr
         piece.polygon = polygons[i];
         piece.extent = extentOf(polygons[i]);
         hasChains_ = hasChains_ || chain != nullptr;
-        if (chain != nullptr) { piece.segment = segmentOf(polygons, i, chain->loop); }
+        if (chain != nullptr) { piece.segment = segmentOf(polygons, i, *chain); }
         const Result<ProxyId> proxy = tree_->insert(boundsOf(polygons[i], bodies_[body].pose), kind);
         if (!proxy.ok()) { continue; }
         piece.proxy = proxy.value();

@@ -48,6 +48,8 @@ struct PolygonGeometry {
 struct ChainGeometry {
     std::vector<DVec2> points;
     bool loop = false;
+    std::optional<DVec2> before{};  ///< where it goes on as another chain: the next point there, beyond the first one
+    std::optional<DVec2> after{};   ///< likewise, beyond the last one
 
     bool operator==(const ChainGeometry&) const = default;
 };

@@ -119,9 +119,9 @@ template <>
 inline constexpr bool kBare<PolygonGeometry> = true;
 
 template <>
-inline constexpr auto kFields<ChainGeometry> = std::make_tuple(required(field("points", &ChainGeometry::points,
-                                                                              units::kLength)),
-                                                               field("loop", &ChainGeometry::loop));
+inline constexpr auto kFields<ChainGeometry> = std::make_tuple(
+    required(field("points", &ChainGeometry::points, units::kLength)), field("loop", &ChainGeometry::loop),
+    field("before", &ChainGeometry::before, units::kLength), field("after", &ChainGeometry::after, units::kLength));
 
 template <>
 inline constexpr auto kFields<FilterDescription> = std::make_tuple(field("category", &FilterDescription::category),

@@ -62,6 +62,19 @@ std::optional<GeometryFault> fault(const PolygonGeometry& polygon) {
     return std::nullopt;
 }
 
+std::optional<GeometryFault> faultOfNeighbours(const ChainGeometry& chain) {
+    if (chain.loop && (chain.before || chain.after)) {
+        return GeometryFault{chain.before ? "/before" : "/after", "a loop has no ends that could go on"};
+    }
+    if (chain.before == chain.points.front()) {
+        return GeometryFault{"/before", textOf(*chain.before) + " repeats the first point"};
+    }
+    if (chain.after == chain.points.back()) {
+        return GeometryFault{"/after", textOf(*chain.after) + " repeats the last point"};
+    }
+    return std::nullopt;
+}
+
 std::optional<GeometryFault> fault(const ChainGeometry& chain) {
     const std::size_t count = chain.points.size();
     const std::size_t needed = chain.loop ? 3 : 2;
@@ -78,7 +91,7 @@ std::optional<GeometryFault> fault(const ChainGeometry& chain) {
         return GeometryFault{elementOf("/points", count - 1),
                              textOf(chain.points.back()) + " repeats the first point; a loop closes by itself"};
     }
-    return std::nullopt;
+    return faultOfNeighbours(chain);
 }
 
 Result<Polygon> polygonOf(const BoxGeometry& box, double radius) {

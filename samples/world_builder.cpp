@@ -145,10 +145,11 @@ ShapeDef shapeDefOf(const ShapeDescription& given, std::size_t body, std::size_t
 }
 
 Status addShape(World& world, BodyId body, const ShapeDescription& given, const ShapeDef& def) {
+    const Real radius = real(given.radius);
     if (const auto* chain = std::get_if<ChainGeometry>(&given.geometry)) {
-        return world.addChain(body, realPoints(chain->points), chain->loop, def, real(given.radius)).status();
+        return world.addChain(body, realPoints(chain->points), chain->loop, def, radius, neighboursOf(*chain)).status();
     }
-    const Result<Polygon> polygon = std::visit(PolygonMaker{real(given.radius)}, given.geometry);
+    const Result<Polygon> polygon = std::visit(PolygonMaker{radius}, given.geometry);
     return polygon.ok() ? world.addShape(body, polygon.value(), def).status() : polygon.status();
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../engine/world.h"
+#include "../shapes/chain.h"
 #include "scene_description.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -23,6 +24,14 @@ struct ShapeOrigin {
     int shape = 0;
 };
 ShapeOrigin shapeOrigin(std::uint64_t userData);
+
+/// As the world takes them.
+inline ChainNeighbours neighboursOf(const ChainGeometry& chain) {
+    ChainNeighbours neighbours;
+    if (chain.before) { neighbours.before = toReal(*chain.before); }
+    if (chain.after) { neighbours.after = toReal(*chain.after); }
+    return neighbours;
+}
 
 /// The convex pieces of a shape, frame of its body: one, or one for each edge of a chain. @pre `buildWorld` accepts it
 std::vector<Polygon> polygonsOf(const ShapeDescription& shape);

@@ -35,7 +35,10 @@ private:
     double positive() { return std::ldexp(random_.range(0.5, 1), random_.integer(-20, 20)); }
     double number() { return random_.sign() * positive(); }
     DVec2 vector() { return {number(), number()}; }
-    std::optional<double> maybe(double value) { return often() ? std::optional<double>(value) : std::nullopt; }
+    template <class T>
+    std::optional<T> maybe(T value) {
+        return often() ? std::optional<T>(value) : std::nullopt;
+    }
 
     SceneContinuous continuous() {
         return static_cast<SceneContinuous>(random_.integer(0, static_cast<int>(SceneContinuous::subStep)));
@@ -61,6 +64,14 @@ private:
         return s;
     }
 
+    ChainGeometry chain() {
+        ChainGeometry chain{{vector(), vector(), vector(), vector()}, often()};
+        if (chain.loop) { return chain; }
+        chain.before = maybe(vector());
+        chain.after = maybe(vector());
+        return chain;
+    }
+
     Geometry geometry(bool chainAllowed) {
         switch (random_.integer(0, chainAllowed ? 5 : 4)) {
             case 0:
@@ -74,7 +85,7 @@ private:
             case 4:
                 return PolygonGeometry{triangle()};
             default:
-                return ChainGeometry{{vector(), vector(), vector(), vector()}, often()};
+                return chain();
         }
     }
 

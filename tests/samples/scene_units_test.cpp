@@ -54,6 +54,8 @@ TEST(SceneUnits, AreThoseOfPhysics) {
         {"/bodies/*/shapes/*/segment/*", "m"},
         {"/bodies/*/shapes/*/polygon/*", "m"},
         {"/bodies/*/shapes/*/chain/points/*", "m"},
+        {"/bodies/*/shapes/*/chain/before", "m"},
+        {"/bodies/*/shapes/*/chain/after", "m"},
         {"/bodies/*/shapes/*/radius", "m"},
         {"/bodies/*/shapes/*/density", "kg/m²"},
         {"/bodies/*/shapes/*/friction", "1"},

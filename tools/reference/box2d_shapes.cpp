@@ -51,8 +51,9 @@ public:
             chain.CreateLoop(points.data(), count);
         } else {  // an open end goes on straight
             const std::size_t last = points.size() - 1;
-            chain.CreateChain(points.data(), count, 2.0f * points[0] - points[1],
-                              2.0f * points[last] - points[last - 1]);
+            chain.CreateChain(points.data(), count,
+                              geometry.before ? toBox2d(*geometry.before) : 2.0f * points[0] - points[1],
+                              geometry.after ? toBox2d(*geometry.after) : 2.0f * points[last] - points[last - 1]);
         }
         chain.m_radius = std::max(static_cast<float>(shape_.radius), b2_polygonRadius);
         add(chain, shape_.radius);
