@@ -73,12 +73,15 @@ private:
 
 /// Whether a chain that ends with one segment goes on as another one that begins with the other.
 bool goesOnAs(const WorldState& world, const Shape& last, const Shape& first) {
-    if (!last.segment.hasAfter || !first.segment.hasBefore) { return false; }
-    if (last.body == first.body) { return last.segment.q == first.segment.p; }
-    if (!canBeJoined(world, last, first)) { return false; }
-    const DVec2 gap =
-        apply(poseNow(world, last.body), last.segment.q) - apply(poseNow(world, first.body), first.segment.p);
-    return length(toReal(gap)) <= kTargetRatio * std::min(last.extent, first.extent);
+    if (!last.segment.hasAfter || !first.segment.hasBefore || !canBeJoined(world, last, first)) { return false; }
+    const Real near = kTargetRatio * std::min(last.extent, first.extent);
+    const auto areSame = [&](Vec2 ofLast, Vec2 ofFirst) {
+        const DVec2 gap = apply(poseNow(world, last.body), ofLast) - apply(poseNow(world, first.body), ofFirst);
+        return length(toReal(gap)) <= near;
+    };
+    const ChainSegment& one = last.segment;
+    const ChainSegment& other = first.segment;
+    return areSame(one.q, other.p) && areSame(one.after, other.q) && areSame(one.p, other.before);
 }
 
 /// Whether chains lead from one segment to another without a corner that is farther away than that, by no more than two
@@ -145,12 +148,14 @@ bool arrivesFromBehind(const WorldState& world, const Contact& contact, const Wo
     const Shape& segment = world.shapes[contact.shapeA];
     const Shape& own = world.shapes[contact.shapeB];
     const DVec2 middle = apply(ofShape, middleOf(own.polygon));
-    const auto velocityOf = [&middle](const BodyMotion& motion) {
-        return motion.velocity + cross(motion.angularVelocity, toReal(middle - motion.center));
+    const auto velocityOf = [&](std::uint32_t body, const WorldTransform& pose) {
+        const BodyMotion& motion = world.motions[body];
+        const DVec2 center = apply(pose, world.bodies[body].localCenter);
+        return motion.velocity + cross(motion.angularVelocity, toReal(middle - center));
     };
     return comesAlong({.height = heightOver(segment, ofChain, own, ofShape),
                        .normal = rotate(ofChain.rotation, segment.polygon.normals[0]),
-                       .velocity = velocityOf(world.motions[contact.bodyB]) - velocityOf(world.motions[contact.bodyA]),
+                       .velocity = velocityOf(contact.bodyB, ofShape) - velocityOf(contact.bodyA, ofChain),
                        .extent = contact.extent});
 }
 

@@ -205,7 +205,9 @@ Effort effortFor(const IslandLoad& load, const StepScale& step, double pull) {
         if (jostles && (scope == DirectScope::none || scope == DirectScope::freeJoints)) { return kCrowd; }
         // Islands see to that themselves.
         const bool mayWhip = scope != DirectScope::none && scope != DirectScope::islands && !rests;
-        return {.doublings = mayWhip ? doublingsForWhips(load, step.subSteps) : std::int8_t{0}, .direct = scope};
+        return {.doublings = mayWhip ? doublingsForWhips(load, step.subSteps) : std::int8_t{0},
+                .direct = scope,
+                .isInTurns = scope == DirectScope::joints && isTouching};
     }
     const DirectScope scope = scopeForContacts(load, rests);
     if (jostles && scope == DirectScope::none) { return kCrowd; }

@@ -48,7 +48,8 @@ public:
     /// @param isLast  of the step: small ones count, too
     /// @return whether some separation is too large
     bool gatherOverlaps(const SolverBatch& batch, const DirectSystem& system, Real h, bool isLast);
-    /// The change that moves joints and contacts, as these are held, by their excess.
+    /// The change that moves joints and contacts, as these are held, by their excess, in parts that are too far off.
+    /// @pre gatherOverlaps
     /// @param tangentShare  of their strength that rows of friction have
     void computeProjection(DirectSystem& system, const DirectJoints& joints, DirectReport& report, double tangentShare);
 
@@ -80,7 +81,8 @@ private:
         int spareRounds = 0;        ///< since the step began, for what takes more than the usual
         int rounds = 0;             ///< since the step began
         bool hasTightened = false;  ///< in the last search
-        bool isInVain = false;      ///< likewise: nothing was found
+        bool isInVain = false;      ///< in one of the step: nothing was found
+        bool isFar = false;         ///< some separation is too large
     };
 
     void orderByPart(const SolverBatch& batch, const DirectSystem& system);
@@ -91,6 +93,14 @@ private:
     std::span<const Point> pointsOf(const Part& part) const {
         return std::span(points_).subspan(part.begin, part.end - part.begin);
     }
+    /// What is done about overlaps and gaps.
+    struct Projection {
+        Real rate = 0;      ///< part of them that is closed
+        Real smallest = 0;  ///< ratio, see `toleranceAt`: what is smaller may stay
+    };
+    bool gatherOverlapsOf(const Part& part, const SolverBatch& batch, const DirectSystem& system,
+                          const Projection& projection, Real h);
+
     // direct_search.cpp
     void assemble(const Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report,
                   double tangentShare = 1);
@@ -115,6 +125,7 @@ private:
     std::vector<std::uint32_t> next_;      ///< by part: after the last contact of it in
     std::vector<std::uint32_t> order_;     ///< contacts, part by part
     std::vector<std::uint8_t> holds_;      ///< which of the points were held when the matrix was factorised
+    std::int64_t spareBodyRounds_ = 0;     ///< since the step began, of all parts together: by their bodies
     int roundsLeft_ = 0;                   ///< of this search
     int notedFrom_ = 0;                    ///< from so many left on it is noted who takes them
     std::vector<std::uint8_t> takesLong_;  ///< by the first node of an island

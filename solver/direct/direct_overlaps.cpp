@@ -39,19 +39,30 @@ bool DirectContacts::gatherOverlaps(const SolverBatch& batch, const DirectSystem
     const Real rate = isPatient_ ? kProjectionRateOfPatient : kProjectionRate;
     const Real smallRatio = isPatient_ ? kSmallRatioOfPatient : kSmallRatio;
     bool anyLarge = false;
-    for (Point& contact : points_) {
+    for (Part& part : parts_) {
+        part.isFar =
+            gatherOverlapsOf(part, batch, system, {.rate = rate, .smallest = isLast ? smallRatio : kLargeRatio}, h);
+        anyLarge = anyLarge || part.isFar;
+    }
+    return anyLarge;
+}
+
+bool DirectContacts::gatherOverlapsOf(const Part& part, const SolverBatch& batch, const DirectSystem& system,
+                                      const Projection& projection, Real h) {
+    bool anyLarge = false;
+    for (Point& contact : pointsOf(part)) {
         const ContactConstraint& constraint = *contact.contact;
         const ContactConstraintPoint& point = *contact.point;
         const Real separation =
             currentSeparation(constraint, point, batch.states[constraint.slotA], batch.states[constraint.slotB]);
         const bool presses = point.normalImpulse > 0 || separation < 0;
-        const Real tolerance =
-            toleranceAt(point, system.nodeOf(constraint.slotA) != kNoNode, system.nodeOf(constraint.slotB) != kNoNode,
-                        isLast ? smallRatio : kLargeRatio);
+        const Real tolerance = toleranceAt(point, system.nodeOf(constraint.slotA) != kNoNode,
+                                           system.nodeOf(constraint.slotB) != kNoNode, projection.smallest);
         anyLarge = anyLarge || (presses && std::fabs(separation) > tolerance);
         contact.normalHold = presses ? Hold::held : Hold::free;
         contact.tangentHold = presses && isStuck(constraint, point) ? Hold::held : Hold::free;
-        contact.normal.excess = static_cast<double>(std::max(rate * separation, -constraint.maxPushSpeed * h));
+        contact.normal.excess =
+            static_cast<double>(std::max(projection.rate * separation, -constraint.maxPushSpeed * h));
         contact.tangent.excess = contact.normal.guess = contact.tangent.guess = 0;
     }
     return anyLarge;

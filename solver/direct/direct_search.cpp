@@ -92,10 +92,13 @@ void DirectContacts::computeChange(const Part& part, DirectSystem& system, const
 void DirectContacts::computeProjection(DirectSystem& system, const DirectJoints& joints, DirectReport& report,
                                        double tangentShare) {
     DirectReport most;
+    system.beginChange();
     for (const Part& part : parts_) {
+        if (!part.isFar) { continue; }
         DirectReport own;
         assemble(part, system, joints, own, tangentShare);
         computeChange(part, system, joints);
+        system.forgetFactor(part.nodes);
         most.takeLarger(own);
     }
     report.add(most);
@@ -316,13 +319,18 @@ bool DirectContacts::searchIn(Part& part, DirectSystem& system, const DirectJoin
 }
 
 bool DirectContacts::searchPart(Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
+    const auto bodies = static_cast<std::int64_t>(part.nodes.end - part.nodes.begin);
+    const std::int64_t spare = std::min<std::int64_t>(part.spareRounds, spareBodyRounds_ / bodies);
     const int most = isPatient_ ? kMostRoundsOfPatientSolve
-                                : std::min(kMostRoundsOfSolve, kUsualRoundsOfSolve + std::max(part.spareRounds, 0));
+                                : static_cast<int>(std::clamp<std::int64_t>(kUsualRoundsOfSolve + spare,
+                                                                            kUsualRoundsOfSolve, kMostRoundsOfSolve));
     roundsLeft_ = most;
     notedFrom_ = most - kRoundsOfNoNote;
     system.setStrength(1);
     const bool isFound = searchIn(part, system, joints, report);
-    part.spareRounds -= std::max(most - roundsLeft_ - kUsualRoundsOfSolve, 0);
+    const int unusual = std::max(most - roundsLeft_ - kUsualRoundsOfSolve, 0);
+    part.spareRounds -= unusual;
+    spareBodyRounds_ -= unusual * bodies;
     return isFound;
 }
 
@@ -333,10 +341,11 @@ bool DirectContacts::search(DirectSystem& system, const DirectJoints& joints, Di
     bool isFound = true;
     for (Part& part : parts_) {
         DirectReport own;
-        part.isInVain = !searchPart(part, system, joints, own);
+        const bool isDone = searchPart(part, system, joints, own);
+        part.isInVain = part.isInVain || !isDone;
         part.rounds += own.rounds;
         most.takeLarger(own);
-        isFound = isFound && !part.isInVain;  // the others are searched all the same: so it is known which are in vain
+        isFound = isFound && isDone;  // the others are searched all the same: so it is known which are in vain
     }
     report.add(most);
     return isFound;

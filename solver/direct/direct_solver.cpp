@@ -126,7 +126,6 @@ void DirectSolver::project(SolverBatch& batch, Real h, bool always, DirectReport
     joints_.gatherAtRest(batch, system_, h);
     system_.setStrength(kProjectionStrength);
     contacts_.computeProjection(system_, joints_, report, kTangentShare);
-    system_.forgetFactor();
     system_.dropNoise();
     system_.changePlaces(batch.states);
 }

@@ -217,6 +217,7 @@ void DirectSystem::changeVelocities(std::span<BodyState> states) const {
 
 void DirectSystem::changePlaces(std::span<BodyState> states) const {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        if (change_[i] == Block3{}) { continue; }
         BodyState& state = states[nodes_[i].slot];
         state.deltaPosition += {static_cast<Real>(change_[i][0]), static_cast<Real>(change_[i][1])};
         state.deltaAngle += static_cast<Real>(change_[i][2]);

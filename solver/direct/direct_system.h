@@ -112,6 +112,7 @@ public:
     /// Whether there is a factor, of the present strength.
     bool isFactorised(NodeRange part) const { return factorised_[part.begin] == strength_; }
     void forgetFactor() { factorised_.assign(nodes_.size(), 0); }
+    void forgetFactor(NodeRange part) { factorised_[part.begin] = 0; }
     /// Another number whenever there is another factor.
     std::uint64_t factorNumber() const { return factorNumber_; }
 

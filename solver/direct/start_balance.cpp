@@ -18,7 +18,7 @@ constexpr int kMostStartRounds = 32;
 constexpr double kSmallStartChange = 1.0 / 65536;
 /// Speeds that are left, as a part of what drives give: what is faster is in no balance.
 constexpr double kLeftOfStart = 1.0 / 64;
-/// What contacts alone hold, and let fall by no more than this part of what drives give, is carried already.
+/// What impulses let fall by no more than this part of what drives give is carried already.
 constexpr double kLeftOfCarried = 1.0 / 8;
 /// A contact that turns more often than that presses no longer.
 constexpr int kMostStartTurns = 4;
@@ -228,29 +228,74 @@ bool StartBalance::isStill() const {
     return fastest <= kLeftOfStart * kLeftOfStart * squaredSpeedOfDrives();
 }
 
-/// A joint that is made between bodies of a heap at rest asks for these alone: the others are carried by contacts that
-/// have their impulses, and stand fast. @return whether there are any
-bool StartBalance::leaveCarried() {
-    std::vector<std::uint8_t> isCarried(inertias_.size(), 1);
+/// Whether impulses leave a body as it is, but for a part of what drives it, or of what drives the others.
+bool StartBalance::isBalanced(std::uint32_t node, double mostOfAll) const {
+    const auto linear = static_cast<double>(inertias_[node].inverseMass);
+    const auto angular = static_cast<double>(inertias_[node].inverseInertia);
+    const Block3& drive = drives_[node];
+    const Block3& left = speeds_[node];
+    const double own = linear * linear * (drive[0] * drive[0] + drive[1] * drive[1]);
+    const double most = std::max(own, kLeftOfStart * kLeftOfStart * mostOfAll);
+    return squaredSpeed(node, {linear * left[0], linear * left[1], angular * left[2]}) <=
+           kLeftOfCarried * kLeftOfCarried * most;
+}
+
+/// With a body on joints that is sought: what these tie to it, and what rests on it (its load). With any: what it rests
+/// on if joints hold that (they carry it).
+void StartBalance::spread(std::vector<Search>& searches) const {
+    std::vector<std::uint8_t> isJointed(inertias_.size(), 0);
     for (std::size_t i = 0; i < jointRows_.size(); ++i) {
         for (const std::uint32_t node : {rows_[i].nodeA, rows_[i].nodeB}) {
-            if (node != kNoNode) { isCarried[node] = 0; }
+            if (node == kNoNode) { continue; }
+            isJointed[node] = 1;
+            if (searches[node] == Search::alone) { searches[node] = Search::withLoad; }
         }
     }
+    bool any = true;
+    const auto seek = [&](std::uint32_t node) {
+        any = any || searches[node] != Search::withLoad;
+        searches[node] = Search::withLoad;
+    };
+    const auto support = [&](std::uint32_t below, std::uint32_t above, const Block3& way, bool presses) {
+        if (!(dot3(way, drives_[above]) < 0)) { return; }
+        if (searches[below] == Search::withLoad && presses) { seek(above); }
+        if (searches[above] != Search::none && isJointed[below] != 0) { seek(below); }
+    };
+    while (any) {
+        any = false;
+        for (std::size_t i = 0; i < jointRows_.size(); ++i) {
+            const Row& row = rows_[i];
+            if (row.nodeA == kNoNode || row.nodeB == kNoNode) { continue; }
+            if (searches[row.nodeA] != Search::none) { seek(row.nodeB); }
+            if (searches[row.nodeB] != Search::none) { seek(row.nodeA); }
+        }
+        for (const Point& point : points_) {
+            const Row& row = rows_[point.row];
+            if (row.nodeA == kNoNode || row.nodeB == kNoNode) { continue; }
+            support(row.nodeA, row.nodeB, row.ofB, row.impulse > 0);
+            support(row.nodeB, row.nodeA, row.ofA, row.impulse > 0);
+        }
+    }
+}
+
+/// What is in balance by the impulses that there are, and has nothing to do with what is not, stands fast: a joint that
+/// is made between bodies of a heap at rest asks for no balance of the heap. @return whether there is any such
+bool StartBalance::leaveCarried() {
     speeds_ = drives_;
     for (const Row& row : rows_) {
         push(row, row.impulse);
         *row.to = static_cast<Real>(row.impulse);
     }
-    const double most = kLeftOfCarried * kLeftOfCarried * squaredSpeedOfDrives();
+    const double mostOfAll = squaredSpeedOfDrives();
+    std::vector<Search> searches(inertias_.size(), Search::none);
+    for (std::uint32_t i = 0; i < inertias_.size(); ++i) {
+        if (!isBalanced(i, mostOfAll)) { searches[i] = Search::alone; }
+    }
+    spread(searches);
     std::uint32_t count = 0;
     std::vector<std::uint32_t> renamed(inertias_.size(), kNoNode);
     for (std::uint32_t i = 0; i < inertias_.size(); ++i) {
-        const auto linear = static_cast<double>(inertias_[i].inverseMass);
-        const auto angular = static_cast<double>(inertias_[i].inverseInertia);
-        const Block3& left = speeds_[i];
-        const Block3 speed{linear * left[0], linear * left[1], angular * left[2]};
-        if (isCarried[i] == 0 || squaredSpeed(i, speed) > most) { renamed[i] = count++; }
+        if (searches[i] != Search::none) { renamed[i] = count++; }
     }
     if (count == inertias_.size()) { return false; }
     heaviest_ = 0;

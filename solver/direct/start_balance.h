@@ -14,9 +14,9 @@ namespace swept::inline SWEPT_PRECISION {
 /// while what hangs there falls, and is caught with up to twice the load.
 ///
 /// Rows are strong dampers around the impulses that they have, round after round (the method of multipliers, as in
-/// `DirectSolver`): of all impulses that balance the bodies those are found that differ least from these. Bodies that
-/// contacts carry already, and no joint holds, are as fast as the ground: a heap is not sought anew. Everything is
-/// computed in double: what a round leaves is a difference of loads that are thousands of times as large.
+/// `DirectSolver`): of all impulses that balance the bodies those are found that differ least from these. What is
+/// in balance already stands fast: a heap is not sought anew for a joint that is made in it. Everything is computed in
+/// double: what a round leaves is a difference of loads that are thousands of times as large.
 class StartBalance {
 public:
     /// Changes impulses alone, and leaves bodies without speed; what limits, motors and springs give stays.
@@ -49,10 +49,15 @@ private:
         int turns = 0;  ///< so often it began to press, or no longer did
     };
 
+    /// Whether the balance of a body is sought, and of what rests on it.
+    enum class Search : std::uint8_t { none, alone, withLoad };
+
     bool listBodies(const SolverBatch& batch);
     void addRow(const SolverBatch& batch, const DirectRow& row);
     void listRows(SolverBatch& batch);
     void findDrives(SolverBatch& batch);
+    bool isBalanced(std::uint32_t node, double mostOfAll) const;
+    void spread(std::vector<Search>& searches) const;
     bool leaveCarried();
     void push(const Row& row, double impulse);
     double speedOf(const Row& row) const;

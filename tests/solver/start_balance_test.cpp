@@ -65,6 +65,22 @@ TEST(StartBalance, LeavesWhatContactsCarryAsItIs) {
     }
 }
 
+/// What rests on a body is a load of its joints, though its own contacts balance it.
+TEST(StartBalance, KnowsTheLoadOfWhatHangs) {
+    SolverBatch batch;
+    batch.clear();
+    const BodySlot platform = addBody(batch, 2);
+    hang(batch, platform);
+    ContactConstraint& contact = addCarriedBox(batch, 1);
+    contact.slotA = platform;
+    for (ContactConstraintPoint& point : contact.points) { point.anchorA = {point.anchorB.x, real(0.1)}; }
+    ASSERT_TRUE(StartBalance{}.find(batch));
+    EXPECT_NEAR(batch.revolutes[0].linearImpulse.y, 5 * kWeight, 1e-4 * kWeight);
+    for (const ContactConstraintPoint& point : batch.contacts[0].points) {
+        EXPECT_NEAR(point.normalImpulse, 1.5 * kWeight, 1e-4 * kWeight);
+    }
+}
+
 TEST(StartBalance, FindsWhatContactsDoNotCarryYet) {
     SolverBatch batch;
     batch.clear();
