@@ -1,6 +1,8 @@
 #include "near_miss.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 
 #include "../../shapes/distance.h"
 #include "../../toi/time_of_impact.h"
@@ -56,8 +58,32 @@ WorldTransform endOf(const Sweep& path) {
     return poseOf(centerAt(path, 1), rotationFromAngle(angleAt(path, 1)), toReal(path.localCenter));
 }
 
-Real separationAtEnd(const Polygon& a, const Sweep& pathA, const Polygon& b, const Sweep& pathB) {
-    return distance(a, b, relativeTransform(endOf(pathA), endOf(pathB))).distance;
+Transform endOf(const Sweep& pathA, const Sweep& pathB) { return relativeTransform(endOf(pathA), endOf(pathB)); }
+
+/// How high above its core a point of a polygon's frame is, metres; below 0 in it, by how far the point would have to
+/// move to leave it.
+Real heightAbove(const Polygon& polygon, Vec2 point) {
+    Real highest = -std::numeric_limits<Real>::infinity();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
+        highest = std::max(highest, dot(polygon.normals[i], point - polygon.vertices[i]));
+    }
+    return highest;
+}
+
+/// No less than the separation of two shapes, metres, where the foremost vertex of one is in the core of the other, as
+/// mostly where they overlap; else infinity. Takes a tenth of what `distance` does.
+/// @param normal  from A to B, frame of A
+Real overlapBound(const Polygon& a, const Polygon& b, const Transform& bInA, Vec2 normal) {
+    Real lowest = 0;
+    if (a.count > 2) {
+        const int foremost = supportIndex(b, unrotate(bInA.rotation, -normal));
+        lowest = heightAbove(a, apply(bInA, b.vertices[static_cast<std::size_t>(foremost)]));
+    }
+    if (b.count > 2) {
+        const int foremost = supportIndex(a, normal);
+        lowest = std::min(lowest, heightAbove(b, applyInverse(bInA, a.vertices[static_cast<std::size_t>(foremost)])));
+    }
+    return lowest < 0 ? lowest - a.radius - b.radius : std::numeric_limits<Real>::infinity();
 }
 
 /// @param level  separation that counts as meeting, metres
@@ -79,8 +105,11 @@ bool misses(const WorldState& world, const Contact& contact, const FreeMotion& a
     const Polygon& shapeB = world.shapes[contact.shapeB].polygon;
     const Sweep pathA = a.path(world.bodies[contact.bodyA].localCenter, dt);
     const Sweep pathB = b.path(world.bodies[contact.bodyB].localCenter, dt);
-    end = separationAtEnd(shapeA, pathA, shapeB, pathB);
-    if (end <= -grazed) { return false; }  // mostly they have met by the end
+    const Transform bInA = endOf(pathA, pathB);
+    end = overlapBound(shapeA, shapeB, bInA, contact.manifold.normal);
+    if (end <= -2 * kTargetRatio * contact.extent) { return false; }  // mostly they have met by the end
+    end = distance(shapeA, shapeB, bInA).distance;
+    if (end <= -grazed) { return false; }
     const Real radii = shapeA.radius + shapeB.radius;
     const Real level = -std::min(grazed, radii);
     if (end > level && arePathsApart(shapeA, pathA, shapeB, pathB, level, grazed / 8)) { return true; }
@@ -94,7 +123,7 @@ bool misses(const WorldState& world, const Contact& contact, const FreeMotion& a
         Sweep beside = pathB;
         beside.c0 += aside;
         beside.c1 += aside;
-        const bool isPast = separationAtEnd(shapeA, pathA, shapeB, beside) > 0;
+        const bool isPast = distance(shapeA, shapeB, endOf(pathA, beside)).distance > 0;
         if (isPast && arePathsApart(shapeA, pathA, shapeB, beside, 0, grazed / 8)) { return true; }
     }
     return false;
