@@ -32,19 +32,17 @@ DVec2 velocityThere(const Sweep& sweep, double fraction, DVec2 place) {
     return (sweep.c1 - sweep.c0) + (2 * fraction - 1) * sweep.k + DVec2{-turn * arm.y, turn * arm.x};
 }
 
-/// Whether a shape that is in another piece of the chain, or behind it, gets to this one from behind, too.
-/// @param towards  from the segment to the shape, unit, world
-bool getsThereBehind(const WorldState& world, const Shape& own, const Shape& segment, const Sweep& sweep,
-                     const Sweep& otherSweep, double fraction, Vec2 towards) {
+/// How a shape gets to a segment; `towards` stays 0.
+ChainArrival arrivalAt(const WorldState& world, const Shape& own, const Shape& segment, const Sweep& sweep,
+                       const Sweep& otherSweep, double fraction) {
     const WorldTransform pose = motionAt(sweep, fraction, world.bodies[own.body].localCenter).pose;
     const WorldTransform otherPose = motionAt(otherSweep, fraction, world.bodies[segment.body].localCenter).pose;
     const DVec2 middle = apply(pose, middleOf(own.polygon));
     const DVec2 velocity = velocityThere(sweep, fraction, middle) - velocityThere(otherSweep, fraction, middle);
-    return comesAlong({.height = heightOver(segment, otherPose, own, pose),
-                       .normal = rotate(otherPose.rotation, segment.polygon.normals[0]),
-                       .towards = towards,
-                       .velocity = toReal(velocity),
-                       .extent = std::min(own.extent, segment.extent)});
+    return {.height = heightOver(segment, otherPose, own, pose),
+            .normal = rotate(otherPose.rotation, segment.polygon.normals[0]),
+            .velocity = toReal(velocity),
+            .extent = std::min(own.extent, segment.extent)};
 }
 
 /// What is nearest to an inner corner is behind the chain, though it may be in front of one of its two sides.
@@ -136,10 +134,12 @@ ChainSide sideAt(const WorldState& world, const FlightObstacle& obstacle, const 
         return isInFrontOfNeighbour(world, obstacle, sweep, otherSweep, fraction, middle) ? ChainSide::neighbour
                                                                                           : ChainSide::back;
     }
+    // What is in another piece of the chain, or behind it, may get to this one from behind, too.
+    ChainArrival arrival = arrivalAt(world, own, other, sweep, otherSweep, fraction);
+    if (!comesAlong(arrival)) { return ChainSide::front; }  // wherever it is touched first
     const Toi met = apartAt(own, other, sweep, otherSweep, fraction);
-    if (!getsThereBehind(world, own, other, sweep, otherSweep, fraction, toReal(met.normal))) {
-        return ChainSide::front;
-    }
+    arrival.towards = toReal(met.normal);
+    if (!comesAlong(arrival)) { return ChainSide::front; }
     if (met.featureA.first >= 0 && met.featureA.second < 0) {
         const Vec2 nearest = other.polygon.vertices[static_cast<std::size_t>(met.featureA.first)];
         const WorldTransform pose = motionAt(otherSweep, fraction, world.bodies[other.body].localCenter).pose;
