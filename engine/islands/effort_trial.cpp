@@ -4,6 +4,7 @@
 
 #include "../bodies/body_mass.h"
 #include "../solve/joint_builder.h"
+#include "../solve/lent_energy.h"
 #include "../state/profile.h"
 #include "../state/world_state.h"
 #include "effort_budget.h"
@@ -163,6 +164,7 @@ void restore(WorldState& world, const IsTakenBack& isTakenBack) {
         if (!isTakenBack(slot)) { continue; }
         world.motions[slot] = trial.motions[slot];
         world.bodies[slot].flung = false;
+        forgetLent(world, slot);
         ++world.counters.bodiesAgain;
     }
 }

@@ -28,7 +28,8 @@ inline constexpr double kMostFallsInTouch = 1.0 / 4;
 /// thousandth of its inertia).
 inline double excessOf(const EnergyAccount& account) {
     const bool pays = account.isJointed && !account.isTouching && !account.isYanked;
-    return account.gained - account.springs - account.motors - (pays ? account.work : std::max(account.work, 0.0));
+    const double work = pays ? account.work : std::max(account.work, 0.0);
+    return account.gained - account.springs - account.motors - account.returned - work;
 }
 
 /// @param falls  that joints may give back

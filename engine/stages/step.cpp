@@ -86,6 +86,7 @@ void noticeAndReset(WorldState& world, Real dt, FunctionRef<void()> noticed) {
 /// A stage that may have nothing to do is not even called then: it costs the comparison in front of it.
 void runStages(WorldState& world, double dt) {
     const Real step = static_cast<Real>(dt);
+    ++world.steps;
     closeUpPairs(world);
     closeUpAwake(world);
     if (!world.unmeasured.empty()) { measureAnew(world); }

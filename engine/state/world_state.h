@@ -176,6 +176,7 @@ struct WorldState : Workers {
     StageTimes stageTimes;
     bool forcesGiven = false;  ///< since the last step: some body has a force or a torque for the next one
     std::vector<std::uint32_t> pushedAsleep;  ///< slots of those that were asleep: they have it if they wake by then
+    std::uint64_t steps = 0;                  ///< begun so far
     double lastDt = 0;                        ///< of the last step, s; predicts how far boxes must reach
     double closingTime = 0;     ///< s, the step or more: errors are closed as in steps of this length (step_change.h)
     double closingStretch = 1;  ///< so many times that, after steps of fewer sub-steps
