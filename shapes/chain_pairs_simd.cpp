@@ -249,7 +249,7 @@ void collideChainPairs(WidePairs& pairs) {
     gather<2>(pairs.a, pairs.verticesA, 2, segments);
     gather<1>(pairs.b, pairs.verticesB, vertices, polygons);
     pairs.plain = pairs.apart = pairs.nothing = pairs.isThere[0] = pairs.isThere[1] = 0;
-    for (std::size_t lane = 0; lane < kPairs; lane += hn::MaxLanes(Doubles())) {
+    for (std::size_t lane = 0; lane < pairs.size; lane += hn::MaxLanes(Doubles())) {
         collideGroup(segments, polygons, vertices, lane, pairs);
     }
     pairs.ofA = pairs.plain;

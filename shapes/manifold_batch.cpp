@@ -67,6 +67,21 @@ bool canCollideInBatches() {
            kernelFor(PairKind::round, kFewVertices, kFewVertices) != nullptr;
 }
 
+void ManifoldBatch::takeOver(ManifoldBatch& other) {
+    const WidePairs& from = other.pairs_;
+    for (std::size_t i = 0; i < other.size_; ++i) {
+        if (kind_ == PairKind::chain) {
+            segments_[size_] = other.segments_[i];
+            pairs_.closedStart[size_] = from.closedStart[i];
+            pairs_.closedEnd[size_] = from.closedEnd[i];
+        }
+        const Sizes sizes{from.radiusA[i], from.radiusB[i], static_cast<std::uint8_t>(from.verticesA[i]),
+                          static_cast<std::uint8_t>(from.verticesB[i])};
+        add(*from.a[i], *from.b[i], sizes, other.poseOf(i), other.reachOf(i));
+    }
+    other.clear();
+}
+
 void ManifoldBatch::collide() {
     for (std::size_t i = size_; i < kPairs; ++i) {  // what is left over does what the first does
         pairs_.a[i] = pairs_.a[0];
@@ -83,6 +98,7 @@ void ManifoldBatch::collide() {
     pairs_.mostA = most(pairs_.verticesA);
     pairs_.mostB = most(pairs_.verticesB);
     pairs_.nothing = 0;
+    pairs_.size = size_;
     kernelFor(kind_, pairs_.mostA, pairs_.mostB)(pairs_);
 }
 

@@ -76,6 +76,9 @@ public:
         pairs_.closedEnd[size_] = closed.atEnd ? Real(1) : Real(0);
         add(a, b, sizes, bInA, reach);
     }
+    /// What was added to another batch, after what is in this one; then the other is empty.
+    /// @pre of one kind; there is room for all
+    void takeOver(ManifoldBatch& other);
     PairKind kind() const { return kind_; }
     /// As they were added.
     Transform poseOf(std::size_t pair) const {

@@ -338,7 +338,7 @@ void collideRoundPairs(WidePairs& pairs) {
     gather<1>(pairs.a, pairs.verticesA, kA <= kFewVertices ? std::size_t{kA} : pairs.mostA, a);
     gather<1>(pairs.b, pairs.verticesB, kB <= kFewVertices ? std::size_t{kB} : pairs.mostB, b);
     pairs.ofA = pairs.plain = pairs.apart = pairs.isThere[0] = pairs.isThere[1] = 0;
-    for (std::size_t lane = 0; lane < kPairs; lane += hn::MaxLanes(Doubles())) { collideGroup(a, b, lane, pairs); }
+    for (std::size_t lane = 0; lane < pairs.size; lane += hn::MaxLanes(Doubles())) { collideGroup(a, b, lane, pairs); }
 }
 
 RoundPairKernels kernelsForRoundPairs() {

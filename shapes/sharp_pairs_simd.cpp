@@ -220,6 +220,7 @@ void collideSharpPairs(WidePairs& pairs) {
     constexpr std::uint32_t kAll = (1U << kPairs) - 1;
     if (pairs.apart == kAll) { return; }
     for (std::size_t lane = 0; lane < kPairs; lane += hn::MaxLanes(Doubles())) {
+        if (lane >= pairs.size) { break; }  // here, so that the loop is still unrolled
         clipPairs(a, b, ofA, ofB, vertices, lane, pairs);
     }
     pairs.plain &= pairs.ordinary & ~pairs.apart;

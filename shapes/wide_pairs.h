@@ -23,6 +23,7 @@ struct alignas(64) WidePairs {
         Lanes id;
     };
 
+    std::size_t size;  ///< how many are asked about; the others are like the first one, and have no answer
     std::array<const Polygon*, kPairs> a;
     std::array<const Polygon*, kPairs> b;
     std::size_t mostA;  ///< vertices of any A
@@ -58,7 +59,7 @@ struct alignas(64) WidePairs {
     std::size_t most() const { return mostA > mostB ? mostA : mostB; }
 };
 
-/// Answers what is asked about all pairs. @pre as `collidesInBatches`
+/// Answers what is asked about as many pairs as there are. @pre as `collidesInBatches`
 using CollidePairs = void (*)(WidePairs&);
 
 /// For the widest registers that this machine has; null where there are none.

@@ -17,6 +17,7 @@ public:
     explicit ContactBatch(PairKind kind) : pairs_(kind) {}
 
     bool isFull() const { return pairs_.isFull(); }
+    std::size_t size() const { return pairs_.size(); }
 
     /// @param probe, contact  stay where they are until they are renewed; a contact need not have a probe
     /// @pre not full; the contact is of the kind
@@ -31,6 +32,13 @@ public:
         } else {
             pairs_.add(a.polygon, b.polygon, sizes, bInA, reach);
         }
+    }
+
+    /// What is in another one, which is empty then. @pre both are of kinds that a kernel may find together; there is
+    /// room
+    void takeOver(ContactBatch& other) {
+        std::copy_n(other.entries_.begin(), other.size(), entries_.begin() + static_cast<std::ptrdiff_t>(size()));
+        pairs_.takeOver(other.pairs_);
     }
 
     /// Gives all of them their manifolds, and is empty.
@@ -68,7 +76,7 @@ public:
     }
 
 private:
-    /// The kernel takes as long for one pair as for eight, which is two to four times as long as without it.
+    /// The kernel takes as long for one pair as for as many as registers hold, which is longer than without it.
     template <class Done>
     void renewAlone(const WorldState& world, const Done& done) {
         const auto [probe, contact] = entries_[0];
@@ -130,16 +138,33 @@ public:
             takeManifold(contact, bInA, {});
             return done_(probe, contact, bInA);
         }
-        ContactBatch& batch = batches_[static_cast<std::size_t>(contact.batch) - 1];
+        ContactBatch& batch = batchOf(contact.batch);
         batch.add(world_, probe, contact, bInA, reach);
         if (batch.isFull()) { batch.renew(world_, done_); }
     }
     /// What is left in batches.
     void finish() {
+        unite(BatchKind::circles, BatchKind::roundFew);
+        unite(BatchKind::chainTwo, BatchKind::chainFew);
         for (ContactBatch& batch : batches_) { batch.renew(world_, done_); }
     }
 
 private:
+    ContactBatch& batchOf(BatchKind kind) { return batches_[static_cast<std::size_t>(kind) - 1]; }
+    /// What is left in batches of these kinds, in as few as may be: small worlds fill none, and would run each kernel
+    /// once for two or three contacts, which costs more to fetch than to run.
+    void unite(BatchKind first, BatchKind last) {
+        ContactBatch* into = &batchOf(first);
+        for (ContactBatch* next = into + 1; next <= &batchOf(last); ++next) {
+            if (next->size() == 0) { continue; }
+            if (into->size() + next->size() <= ManifoldBatch::kPairs) {
+                into->takeOver(*next);
+            } else {
+                into = next;
+            }
+        }
+    }
+
     const WorldState& world_;
     Done done_;
     bool haveBatches_ = canCollideInBatches();

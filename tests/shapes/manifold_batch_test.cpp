@@ -132,7 +132,14 @@ struct Tally {
 
 void compare(const std::vector<Query>& queries, PairKind kind, Tally& tally) {
     ManifoldBatch batch(kind);
-    for (const Query& query : queries) { batch.add(query.a, query.b, query.bInA, query.reach); }
+    ManifoldBatch other(kind);
+    for (std::size_t i = 0; i < queries.size(); ++i) {  // the second half comes from another batch
+        ManifoldBatch& half = i < (queries.size() + 1) / 2 ? batch : other;
+        half.add(queries[i].a, queries[i].b, queries[i].bInA, queries[i].reach);
+    }
+    batch.takeOver(other);
+    ASSERT_EQ(other.size(), 0U);
+    ASSERT_EQ(batch.size(), queries.size());
     batch.collide();
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const Query& query = queries[i];
