@@ -7,6 +7,7 @@
 #include "../../solver/softness.h"
 #include "../bodies/travel.h"
 #include "../contacts/contact_tests.h"
+#include "../containers/any_of.h"
 #include "../state/profile.h"
 #include "../state/world_state.h"
 #include "load_paths.h"
@@ -58,7 +59,7 @@ bool isSlow(const Body& body, const BodyMotion& motion, Real speed) {
 bool markRestless(WorldState& world) {
     const std::vector<BodyTraits>& traits = world.traits;
     const auto isStill = [&traits](std::uint32_t slot) { return (traits[slot] & kIsStill) != 0; };
-    if (std::none_of(world.tied.begin(), world.tied.end(), isStill)) { return false; }
+    if (noneOf(world.tied, isStill)) { return false; }
     world.islandRests.resize(world.bodies.slotCount());
     for (const std::uint32_t slot : world.awake) { world.islandRests[slot] = {}; }
     std::size_t moving = 0;
@@ -181,7 +182,7 @@ bool weighIslands(WorldState& world, Real step, Real gravityStep) {
         if (rest.isRestless || rest.isOff) { continue; }
         rest.isOff = !isBalanced(world.bodies[slot], world.islandPulls[slot], limitsOf(world, rest), gravityStep);
     }
-    return std::any_of(world.tied.begin(), world.tied.end(), [&world](std::uint32_t slot) {
+    return anyOf(world.tied, [&world](std::uint32_t slot) {
         const IslandRest& rest = restOf(world, slot);
         return !rest.isRestless && !rest.isOff;
     });

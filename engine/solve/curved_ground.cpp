@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "../containers/any_of.h"
 #include "energy_gain.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -100,7 +101,7 @@ void followCurve(const WorldState& world, std::uint32_t slot, Body& body, BodySt
 
 bool mayRideTogether(const WorldState& world, const SolveDesk& desk) {
     if (world.chainShapes == 0) { return false; }
-    return std::any_of(desk.energyRoots.begin(), desk.energyRoots.end(), [&world](std::uint32_t root) {
+    return anyOf(desk.energyRoots, [&world](std::uint32_t root) {
         const EnergyAccount& account = world.energyAccounts[root];
         return account.gained - account.work > kGainRounding * account.kinetic + kGainTremble * account.fall;
     });

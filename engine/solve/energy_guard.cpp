@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../../solver/joint_islands/joint_island.h"
+#include "../containers/any_of.h"
 #include "curved_ground.h"
 #include "driven_joints.h"
 #include "energy_calm.h"
@@ -329,7 +330,7 @@ void bookSprings(WorldState& world, const TiedGroup& group, Real h) {
         const EnergyAccount& account = accountOf(world, tie);
         return account.solve == group.desk.energySolve && account.gained > account.work;
     };
-    if (std::none_of(group.joints.begin(), group.joints.end(), isAsked)) { return; }
+    if (noneOf(group.joints, isAsked)) { return; }
     placeMovable(world, group.desk, true);
     for (const std::uint32_t i : group.joints) {
         if (!isAsked(i)) { continue; }
@@ -358,8 +359,7 @@ void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h
         const EnergyAccount& account = world.energyAccounts[root];
         return account.gained - account.work > part * account.kinetic;
     };
-    const bool any = std::any_of(roots.begin(), roots.end(), hasGainedAnything) ||
-                     (hasJoints && std::any_of(roots.begin(), roots.end(), hasGainedIfTied));
+    const bool any = anyOf(roots, hasGainedAnything) || (hasJoints && anyOf(roots, hasGainedIfTied));
     const bool mayRide = mayRideTogether(world, group.desk);
     if (!any && !mayRide) { return; }
     if (hasJoints) {
@@ -374,21 +374,21 @@ void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h
     }
     if (!any) { return; }
     const auto drifts = [&](std::uint32_t root) { return mayDrift(world.energyAccounts[root]); };
-    if (std::any_of(roots.begin(), roots.end(), drifts)) { findDrifts(world, group.desk); }
+    if (anyOf(roots, drifts)) { findDrifts(world, group.desk); }
     const bool mayTouch = group.role == BodyRole::solved ? !world.touching.empty() : !group.contacts.empty();
     const double hanging = mayTouch ? kMostFallsInTouch : kMostFalls;
     const auto mayHaveGained = [&](std::uint32_t root) {
         const EnergyAccount& account = world.energyAccounts[root];
         return !account.isFed && hasGained(account, account.isAnchored ? hanging : 0);
     };
-    if (std::none_of(roots.begin(), roots.end(), mayHaveGained)) { return; }
+    if (noneOf(roots, mayHaveGained)) { return; }
     if (!mayRide) { noteOthers(world, group); }
     if (hasJoints) { giveBackLent(world, group); }
     // What platforms carry gains all the time, and is fed.
     const auto pays = [&](std::uint32_t root) {
         return hasGained(world.energyAccounts[root]) && !world.energyAccounts[root].isFed;
     };
-    if (std::none_of(roots.begin(), roots.end(), pays)) { return; }
+    if (noneOf(roots, pays)) { return; }
     takeBackGains(world, group, static_cast<double>(time));
     if (hasJoints) { calmTorn(world, group, static_cast<double>(time)); }
 }

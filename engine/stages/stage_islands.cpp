@@ -4,6 +4,7 @@
 #include "../advance/island_advance.h"
 #include "../advance/island_contacts.h"
 #include "../contacts/candidates.h"
+#include "../containers/any_of.h"
 #include "../flight/bullet_start.h"
 #include "../flight/clash.h"
 #include "../flight/ground_on_the_way.h"
@@ -44,7 +45,7 @@ void forgetNumbers(WorldState& world) {
 void numberIslands(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     const auto isFast = [&world](std::uint32_t slot) { return isFastTied(world, slot); };
-    if (std::none_of(world.tied.begin(), world.tied.end(), isFast)) { return; }
+    if (noneOf(world.tied, isFast)) { return; }
     countMembers(world);
     forgetNumbers(world);
     std::vector<std::uint32_t>& roots = fast.roots;

@@ -5,6 +5,7 @@
 #include "../../shapes/cache_line.h"
 #include "../../shapes/compiler.h"
 #include "../bodies/body_mass.h"
+#include "../containers/any_of.h"
 #include "../containers/sort_few.h"
 #include "../crew/shared_choice.h"
 #include "../islands/effort_budget.h"
@@ -123,7 +124,7 @@ void solveTiedBodies(WorldState& world, double dt) {
             if (isOfClass(tie.bodyA) || isOfClass(tie.bodyB)) { return true; }
             if (tie.isPair) { return false; }
             const std::span<const std::uint32_t> bodies = world.joints[joint].allBodies();
-            return std::any_of(bodies.begin(), bodies.end(), isOfClass);
+            return anyOf(bodies, isOfClass);
         };
         forEachMeant(*world.loops, world.activeJoints, kJointGrain, world.answers, isJointOfClass,
                      [&world](std::uint32_t joint) { world.tiedJoints.push_back(joint); });
