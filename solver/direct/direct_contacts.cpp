@@ -106,8 +106,14 @@ void DirectContacts::beginSecondHalf() {
     for (Point& contact : points_) {
         contact.first = contact.point->normalImpulse;
         contact.tangentFirst = contact.point->tangentImpulse;
-        contact.point->normalImpulse = contact.half;
-        contact.point->tangentImpulse = contact.tangentHalf;
+    }
+    for (const Part& part : parts_) {
+        // What took long to find is not sought twice: the first half ends with what the second one needs.
+        if (isPatient_ && part.isLong) { continue; }
+        for (Point& contact : pointsOf(part)) {
+            contact.point->normalImpulse = contact.half;
+            contact.point->tangentImpulse = contact.tangentHalf;
+        }
     }
 }
 
@@ -119,7 +125,18 @@ void DirectContacts::addHalves() {
 }
 
 void DirectContacts::gather(const SolverBatch& batch, Real h, bool useBias) {
-    for (Point& contact : points_) {
+    for (const Part& part : parts_) { gatherOf(part, batch, h, useBias); }
+    guessHolds(points_);
+}
+
+void DirectContacts::gatherOf(const Part& part, const SolverBatch& batch, Real h, bool useBias) {
+    const auto pressed = [](const Point& contact) { return contact.point->normalImpulse > 0; };
+    const std::span<Point> points = pointsOf(part);
+    // Among many bodies, most of which are known to press, what carries nothing slides until it is known how much it
+    // presses. With limits that are not known the search has no minimum to go to, and took twice the rounds to find
+    // what else carries the load of a brick that is taken out of a wall.
+    const bool isKnown = isPatient_ && std::any_of(points.begin(), points.end(), pressed);
+    for (Point& contact : points) {
         const ContactConstraint& constraint = *contact.contact;
         const ContactConstraintPoint& point = *contact.point;
         const BodyState& a = batch.states[constraint.slotA];
@@ -140,12 +157,11 @@ void DirectContacts::gather(const SolverBatch& batch, Real h, bool useBias) {
         // its contacts.
         contact.limit = static_cast<double>(constraint.friction) * contact.normal.guess;
         const bool isNew = !(point.normalImpulse > 0);
-        if (isNew && constraint.friction > 0) { contact.limit = std::numeric_limits<double>::infinity(); }
+        if (isNew && !isKnown && constraint.friction > 0) { contact.limit = std::numeric_limits<double>::infinity(); }
         contact.isExpected = presses;
         contact.partings = 0;
         contact.normalHold = isOut ? Hold::free : Hold::held;
     }
-    guessHolds(points_);
 }
 
 /// Whether something is between a kinematic body that comes and what does not yield: it still comes nearer, as fast as

@@ -81,11 +81,13 @@ private:
         int spareRounds = 0;        ///< since the step began, for what takes more than the usual
         int rounds = 0;             ///< since the step began
         bool hasTightened = false;  ///< in the last search
+        bool isLong = false;        ///< that took more rounds than usual
         bool isInVain = false;      ///< in one of the step: nothing was found
         bool isFar = false;         ///< some separation is too large
     };
 
     void orderByPart(const SolverBatch& batch, const DirectSystem& system);
+    void gatherOf(const Part& part, const SolverBatch& batch, Real h, bool useBias);
     void addPoints(SolverBatch& batch, ContactConstraint& contact, DirectSystem& system);
     std::span<Point> pointsOf(const Part& part) {
         return std::span(points_).subspan(part.begin, part.end - part.begin);

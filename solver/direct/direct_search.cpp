@@ -293,6 +293,9 @@ bool DirectContacts::tighten(const Part& part) {
     for (Point& contact : pointsOf(part)) {
         if (contact.normalHold == Hold::free) { continue; }
         contact.normal.guess = contact.normal.impulse;
+        if (contact.tangentHold == Hold::forced) {
+            contact.tangent.impulse = std::clamp(contact.tangent.impulse, -contact.limit, contact.limit);
+        }
         contact.tangent.guess = contact.tangent.impulse;
     }
     return true;
@@ -308,11 +311,15 @@ bool DirectContacts::searchIn(Part& part, DirectSystem& system, const DirectJoin
             system.setStrength(weaker * system.strength());
             guessHolds(pointsOf(part));
         }
-        if (!followLimits(part)) {
-            if (tightenings == kMostTightenings || !tighten(part)) { break; }
-            ++tightenings;
+        if (followLimits(part)) {
+            classify(part, system, false);
+            continue;
         }
-        classify(part, system, false);
+        if (tightenings == kMostTightenings || !tighten(part)) { break; }
+        ++tightenings;
+        // What is held stays so. At the place where the search stands, dampers around the new impulses would say twice
+        // what they gave way by: a third of all points were let go, and taken back in as many rounds.
+        if (!isPatient_) { classify(part, system, false); }
     }
     part.hasTightened = tightenings > 0;
     return true;
@@ -329,6 +336,7 @@ bool DirectContacts::searchPart(Part& part, DirectSystem& system, const DirectJo
     system.setStrength(1);
     const bool isFound = searchIn(part, system, joints, report);
     const int unusual = std::max(most - roundsLeft_ - kUsualRoundsOfSolve, 0);
+    part.isLong = unusual > 0;
     part.spareRounds -= unusual;
     spareBodyRounds_ -= unusual * bodies;
     return isFound;
