@@ -200,20 +200,34 @@ void BlockLdlt::factorise(NodeRange part) {
     }
 }
 
-void BlockLdlt::solve(std::span<Block3> values, NodeRange part) const {
-    for (std::uint32_t node = part.begin; node < part.end; ++node) { scratch_[position_[node]] = values[node]; }
-    for (std::uint32_t c = part.begin; c < part.end; ++c) {
-        for (std::uint32_t i = begins_[c]; i < begins_[c + 1]; ++i) {
-            subtract(scratch_[rows_[i]], blocks_[i], scratch_[c]);
-        }
+void BlockLdlt::eliminate(std::uint32_t position, std::span<Block3> ordered) const {
+    for (std::uint32_t i = begins_[position]; i < begins_[position + 1]; ++i) {
+        subtract(ordered[rows_[i]], blocks_[i], ordered[position]);
     }
+}
+
+Block3 BlockLdlt::divided(std::uint32_t position, const Block3& value) const {
+    return solveBlock(diagonal_[position], value);
+}
+
+void BlockLdlt::beginSolve(std::span<const Block3> values, std::span<Block3> ordered, NodeRange part) const {
+    for (std::uint32_t node = part.begin; node < part.end; ++node) { ordered[position_[node]] = values[node]; }
+    for (std::uint32_t c = part.begin; c < part.end; ++c) { eliminate(c, ordered); }
+}
+
+void BlockLdlt::endSolve(std::span<Block3> values, std::span<Block3> ordered, NodeRange part) const {
     for (std::uint32_t c = part.end; c-- > part.begin;) {
-        scratch_[c] = solveBlock(diagonal_[c], scratch_[c]);
+        ordered[c] = solveBlock(diagonal_[c], ordered[c]);
         for (std::uint32_t i = begins_[c]; i < begins_[c + 1]; ++i) {
-            subtractTransposed(scratch_[c], blocks_[i], scratch_[rows_[i]]);
+            subtractTransposed(ordered[c], blocks_[i], ordered[rows_[i]]);
         }
     }
-    for (std::uint32_t node = part.begin; node < part.end; ++node) { values[node] = scratch_[position_[node]]; }
+    for (std::uint32_t node = part.begin; node < part.end; ++node) { values[node] = ordered[position_[node]]; }
+}
+
+void BlockLdlt::solve(std::span<Block3> values, NodeRange part) const {
+    beginSolve(values, scratch_, part);
+    endSolve(values, scratch_, part);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -56,6 +56,17 @@ public:
     /// Those of a part among the values of all.
     void solve(std::span<Block3> values, NodeRange part) const;
 
+    // --- for who solves with a factor that is no longer all of it, in the order of elimination. @pre factorised
+    std::uint32_t positionOf(std::uint32_t node) const { return position_[node]; }
+    /// Takes a value off those of all nodes that come later, as L asks for.
+    void eliminate(std::uint32_t position, std::span<Block3> ordered) const;
+    /// D⁻¹ of a value.
+    Block3 divided(std::uint32_t position, const Block3& value) const;
+    /// L⁻¹ of values by node.
+    void beginSolve(std::span<const Block3> values, std::span<Block3> ordered, NodeRange part) const;
+    /// L⁻ᵀ·D⁻¹ of that, by node.
+    void endSolve(std::span<Block3> values, std::span<Block3> ordered, NodeRange part) const;
+
     std::size_t blockCount() const { return rows_.size(); }
 
 private:

@@ -49,9 +49,13 @@ constexpr double kSlopeRatio = 1.0 / 16;
 constexpr int kMostLineSteps = 12;
 
 /// What of a contact point is in the matrix, as one number.
+constexpr int kPresses = 1;
+constexpr int kSticks = 2;
 constexpr std::uint8_t holdsOf(bool presses, bool sticks) {
-    return static_cast<std::uint8_t>((presses ? 1 : 0) + (sticks ? 2 : 0));
+    return static_cast<std::uint8_t>((presses ? kPresses : 0) + (sticks ? kSticks : 0));
 }
+/// Rows that may differ from those of the factor before there is a new one: each costs about 1/40 of that.
+constexpr int kMostChanges = 16;
 
 }  // namespace
 
@@ -104,12 +108,25 @@ void DirectContacts::computeProjection(DirectSystem& system, const DirectJoints&
     report.add(most);
 }
 
-bool DirectContacts::holdsAsBefore(const Part& part, const DirectSystem& system, const DirectJoints& joints) const {
+/// Whether the factor serves: as it is, or among many bodies with what changed since.
+bool DirectContacts::mayUseFactor(const Part& part, DirectSystem& system, const DirectJoints& joints) const {
+    system.forgetChanges();
     if (!system.isFactorised(part.nodes) || !joints.isEmpty()) { return false; }
-    for (std::size_t i = part.begin; i < part.end; ++i) {
-        if (holdsOf(points_[i].normalHold == Hold::held, points_[i].tangentHold == Hold::held) != holds_[i]) {
-            return false;
-        }
+    const auto changesOf = [this](std::size_t i) {
+        return holds_[i] ^ holdsOf(points_[i].normalHold == Hold::held, points_[i].tangentHold == Hold::held);
+    };
+    const int most = isPatient_ ? kMostChanges : 0;
+    int count = 0;
+    for (std::size_t i = part.begin; i < part.end && count <= most; ++i) {
+        const int changes = changesOf(i);
+        count += (changes & kPresses) + (changes & kSticks) / kSticks;
+    }
+    if (count > most) { return false; }
+    for (std::size_t i = part.begin; i < part.end && count > 0; ++i) {
+        const int changes = changesOf(i);
+        const Point& contact = points_[i];
+        if ((changes & kPresses) != 0) { system.change(contact.normal, contact.normalHold == Hold::held, part.nodes); }
+        if ((changes & kSticks) != 0) { system.change(contact.tangent, contact.tangentHold == Hold::held, part.nodes); }
     }
     return true;
 }
@@ -239,7 +256,7 @@ bool DirectContacts::settle(const Part& part, DirectSystem& system, const Direct
     bool hasPlace = false;
     const int mostRounds = isPatient_ ? kMostRoundsOfPatient : kMostRounds;
     for (int round = 0; round < mostRounds && roundsLeft_-- > 0; ++round) {
-        if (!holdsAsBefore(part, system, joints)) { assemble(part, system, joints, report); }
+        if (!mayUseFactor(part, system, joints)) { assemble(part, system, joints, report); }
         computeChange(part, system, joints);
         ++report.rounds;
         if (round == 0) { findNoise(part, system); }

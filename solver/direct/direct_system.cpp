@@ -173,6 +173,17 @@ void DirectSystem::factorise(NodeRange part) {
     matrix_.factorise(part);
     factorised_[part.begin] = strength_;
     ++factorNumber_;
+    changes_.clear();
+}
+
+void DirectSystem::change(const SystemRow& row, bool isAdded, NodeRange part) {
+    const double k = strength_ * row.strength;
+    if (!(k > 0)) { return; }
+    RowChanges::End ends[2];
+    std::size_t count = 0;
+    if (row.nodeA != kNoNode) { ends[count++] = {row.nodeA, row.ofA}; }
+    if (row.nodeB != kNoNode) { ends[count++] = {row.nodeB, row.ofB}; }
+    changes_.add(matrix_, part, {ends, count}, isAdded ? k : -k);
 }
 
 void DirectSystem::beginChange(NodeRange part) {

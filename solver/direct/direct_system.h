@@ -10,6 +10,7 @@
 #include "block_ldlt.h"
 #include "direct_parts.h"
 #include "direct_rows.h"
+#include "row_changes.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -113,6 +114,10 @@ public:
     bool isFactorised(NodeRange part) const { return factorised_[part.begin] == strength_; }
     void forgetFactor() { factorised_.assign(nodes_.size(), 0); }
     void forgetFactor(NodeRange part) { factorised_[part.begin] = 0; }
+    /// The matrix is that of the factor from now on, before rows are changed.
+    void forgetChanges() { changes_.clear(); }
+    /// A row of the part that was not there when the matrix was factorised, or no longer is. @pre there is a factor
+    void change(const SystemRow& row, bool isAdded, NodeRange part);
     /// Another number whenever there is another factor.
     std::uint64_t factorNumber() const { return factorNumber_; }
 
@@ -124,7 +129,9 @@ public:
     void beginChange(NodeRange part);
     void push(const SystemRow& row, double impulse);
     void solve() { matrix_.solve(change_); }
-    void solve(NodeRange part) { matrix_.solve(change_, part); }
+    void solve(NodeRange part) {
+        changes_.count() == 0 ? matrix_.solve(change_, part) : changes_.solve(matrix_, change_, part);
+    }
     /// The excess of a row after a change of velocities.
     static double excessAfter(const SystemRow& row, std::span<const Block3> change);
     double changedExcess(const SystemRow& row) const { return excessAfter(row, change_); }
@@ -153,6 +160,7 @@ private:
     std::vector<std::uint32_t> nextNumbers_;
     std::vector<Node> oldNodes_;
     BlockLdlt matrix_;
+    RowChanges changes_;
     double strength_ = 1;
     std::vector<double> factorised_;  ///< by the first node of a part: with which strength; 0: not
     std::uint64_t factorNumber_ = 0;
