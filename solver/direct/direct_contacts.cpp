@@ -20,6 +20,12 @@ int spareRoundsFor(std::size_t bodies) {
     return static_cast<int>(std::max(kFewestSpareRounds, kSpareBodyRounds / bodies));
 }
 
+/// Among so many bodies, whose contacts close loops, a search that is disturbed takes tens of rounds, each with a
+/// factor, and what follows counts: what was found is kept (`beginSecondHalf`, `tighten`), what carries nothing has a
+/// known limit of friction (`gatherOf`), and few rows that changed ask for no new factor (`mayUseFactor`). Fewer bodies
+/// find their way at once.
+constexpr std::size_t kFewestOfWide = 65;
+
 /// What comes nearer by more than this part of what it did, after some of them, is not stopped by more.
 constexpr double kLeftOfSqueezed = 1.0 / 8;
 
@@ -78,7 +84,12 @@ void DirectContacts::list(SolverBatch& batch, DirectSystem& system) {
     std::size_t taken = 0;
     for (std::size_t i = 0; i < system.parts().size(); ++i) {
         const NodeRange nodes = system.parts()[i];
-        Part part{.nodes = nodes, .begin = points_.size(), .spareRounds = spareRoundsFor(nodes.end - nodes.begin)};
+        const std::size_t bodies = nodes.end - nodes.begin;
+        const DirectSystem::Load& load = system.loadOf(system.islandOf(nodes.begin));
+        Part part{.nodes = nodes,
+                  .begin = points_.size(),
+                  .isWide = bodies >= kFewestOfWide && load.contacts > load.bodies,
+                  .spareRounds = spareRoundsFor(bodies)};
         for (; taken < next_[i]; ++taken) { addPoints(batch, batch.contacts[order_[taken]], system); }
         part.end = points_.size();
         parts_.push_back(part);
@@ -96,6 +107,7 @@ SearchEffort DirectContacts::effortOf(std::uint32_t island) const {
 }
 
 void DirectContacts::beginFirstHalf() {
+    for (Part& part : parts_) { part.isLong = false; }
     for (Point& contact : points_) {
         contact.half = contact.point->normalImpulse *= Real(0.5);
         contact.tangentHalf = contact.point->tangentImpulse *= Real(0.5);
@@ -109,7 +121,7 @@ void DirectContacts::beginSecondHalf() {
     }
     for (const Part& part : parts_) {
         // What took long to find is not sought twice: the first half ends with what the second one needs.
-        if (isPatient_ && part.isLong) { continue; }
+        if (part.isWide && part.isLong) { continue; }
         for (Point& contact : pointsOf(part)) {
             contact.point->normalImpulse = contact.half;
             contact.point->tangentImpulse = contact.tangentHalf;
@@ -135,7 +147,7 @@ void DirectContacts::gatherOf(const Part& part, const SolverBatch& batch, Real h
     // Among many bodies, most of which are known to press, what carries nothing slides until it is known how much it
     // presses. With limits that are not known the search has no minimum to go to, and took twice the rounds to find
     // what else carries the load of a brick that is taken out of a wall.
-    const bool isKnown = isPatient_ && std::any_of(points.begin(), points.end(), pressed);
+    const bool isKnown = part.isWide && std::any_of(points.begin(), points.end(), pressed);
     for (Point& contact : points) {
         const ContactConstraint& constraint = *contact.contact;
         const ContactConstraintPoint& point = *contact.point;

@@ -78,6 +78,7 @@ private:
         NodeRange nodes;
         std::size_t begin = 0;  ///< of its points
         std::size_t end = 0;
+        bool isWide = false;        ///< many bodies in loops: see `kFewestOfWide`
         int spareRounds = 0;        ///< since the step began, for what takes more than the usual
         int rounds = 0;             ///< since the step began
         bool hasTightened = false;  ///< in the last search

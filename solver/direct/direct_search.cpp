@@ -115,7 +115,7 @@ bool DirectContacts::mayUseFactor(const Part& part, DirectSystem& system, const 
     const auto changesOf = [this](std::size_t i) {
         return holds_[i] ^ holdsOf(points_[i].normalHold == Hold::held, points_[i].tangentHold == Hold::held);
     };
-    const int most = isPatient_ ? kMostChanges : 0;
+    const int most = part.isWide ? kMostChanges : 0;
     int count = 0;
     for (std::size_t i = part.begin; i < part.end && count <= most; ++i) {
         const int changes = changesOf(i);
@@ -336,7 +336,7 @@ bool DirectContacts::searchIn(Part& part, DirectSystem& system, const DirectJoin
         ++tightenings;
         // What is held stays so. At the place where the search stands, dampers around the new impulses would say twice
         // what they gave way by: a third of all points were let go, and taken back in as many rounds.
-        if (!isPatient_) { classify(part, system, false); }
+        if (!part.isWide) { classify(part, system, false); }
     }
     part.hasTightened = tightenings > 0;
     return true;
@@ -353,7 +353,7 @@ bool DirectContacts::searchPart(Part& part, DirectSystem& system, const DirectJo
     system.setStrength(1);
     const bool isFound = searchIn(part, system, joints, report);
     const int unusual = std::max(most - roundsLeft_ - kUsualRoundsOfSolve, 0);
-    part.isLong = unusual > 0;
+    part.isLong = isFound && unusual > 0;
     part.spareRounds -= unusual;
     spareBodyRounds_ -= unusual * bodies;
     return isFound;

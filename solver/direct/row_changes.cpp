@@ -49,7 +49,9 @@ bool RowChanges::findShares() {
             if (std::fabs(couplings_[r * n + c]) > std::fabs(couplings_[pivot * n + c])) { pivot = r; }
         }
         if (!(std::fabs(couplings_[pivot * n + c]) > 0)) { return false; }
-        for (std::size_t i = c; i < n && pivot != c; ++i) { std::swap(couplings_[c * n + i], couplings_[pivot * n + i]); }
+        for (std::size_t i = c; i < n && pivot != c; ++i) {
+            std::swap(couplings_[c * n + i], couplings_[pivot * n + i]);
+        }
         std::swap(shares_[c], shares_[pivot]);
         for (std::size_t r = c + 1; r < n; ++r) {
             const double factor = couplings_[r * n + c] / couplings_[c * n + c];

@@ -43,10 +43,10 @@ private:
     bool findShares();
 
     std::size_t count_ = 0;
-    std::vector<Change> changes_;   ///< as many as there ever were: their memory is used again
-    std::vector<Block3> ordered_;   ///< by position
-    std::vector<double> couplings_; ///< scratch: k⁻¹ + J·A⁻¹·Jᵀ, row by row
-    std::vector<double> shares_;    ///< right-hand side of that, then its solution
+    std::vector<Change> changes_;    ///< as many as there ever were: their memory is used again
+    std::vector<Block3> ordered_;    ///< by position
+    std::vector<double> couplings_;  ///< scratch: k⁻¹ + J·A⁻¹·Jᵀ, row by row
+    std::vector<double> shares_;     ///< right-hand side of that, then its solution
 };
 
 }  // namespace swept::inline SWEPT_PRECISION
