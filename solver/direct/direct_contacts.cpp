@@ -24,7 +24,7 @@ int spareRoundsFor(std::size_t bodies) {
 /// factor, and what follows counts: what was found is kept (`beginSecondHalf`, `tighten`), what carries nothing has a
 /// known limit of friction (`gatherOf`), and few rows that changed ask for no new factor (`mayUseFactor`). Fewer bodies
 /// find their way at once.
-constexpr std::size_t kFewestOfWide = 65;
+constexpr std::size_t kFewestOfWide = 129;
 
 /// What comes nearer by more than this part of what it did, after some of them, is not stopped by more.
 constexpr double kLeftOfSqueezed = 1.0 / 8;
