@@ -272,7 +272,8 @@ public:
     /// Where one shape is nearest to a point, however far; nothing for a stale id.
     NearestShape nearest(ShapeId id, DVec2 point) const;
     /// All contact points there are now, also of what is near and does not touch: `separation` tells. They were found
-    /// as the last step began, and their bodies moved since.
+    /// as the last step began (of what went from impact to impact, later in it: before its `begin` is told), and their
+    /// bodies moved since.
     void visitContacts(FunctionRef<void(const ContactView&)> visit) const;
     // What one body or shape touches. The third of these calls after a step lists all contacts by shape; from then on
     // each takes as long as its answer.

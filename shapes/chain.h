@@ -33,6 +33,10 @@ Polygon polygonOf(const ChainSegment& segment);
 /// Outward (colliding side) unit normal: to the right of p → q.
 Vec2 normalOf(const ChainSegment& segment);
 
+/// The normal along which the segment pushes out what is in it, of those that its neighbours leave to it: `normal` if
+/// it is one of them; else that of the neighbour, at an inner vertex that juts out; else its own. @param normal  unit
+Vec2 outwardNormal(const ChainSegment& segment, Vec2 normal);
+
 /// Ends at which there is a neighbour that turns away, or hardly turns: a shape beyond such an end is its neighbour's.
 struct ClosedEnds {
     bool atStart = false;

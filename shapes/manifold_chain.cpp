@@ -36,11 +36,13 @@ struct ChainFace {
     Corner atStart;
     Corner atEnd;
 
+    const Corner& cornerTowards(DVec2 normal) const { return dot(normal, face.tangent) < 0 ? atStart : atEnd; }
+
     /// @param normal  unit, from the segment to B.
     NormalVerdict judge(DVec2 normal) const {
         const double along = dot(normal, face.tangent);
         if (std::fabs(along) <= kSeamAngle && dot(normal, face.normal) > 0) { return NormalVerdict::own; }
-        const Corner& corner = along < 0 ? atStart : atEnd;
+        const Corner& corner = cornerTowards(normal);
         switch (corner.kind) {
             case CornerKind::open:  // solid all around: who leans over it touches it from behind
                 return dot(normal, face.normal) >= 0 || std::fabs(along) > kSeamAngle ? NormalVerdict::admitted
@@ -276,6 +278,21 @@ ClosedEnds closedEndsOf(const ChainSegment& segment) {
     ChainFace face;
     addCorners(PairView(core, core, {}), segment, face);
     return {isClosed(face.atStart), isClosed(face.atEnd)};
+}
+
+Vec2 outwardNormal(const ChainSegment& segment, Vec2 normal) {
+    const Polygon core = polygonOf(segment);
+    const PairView pair(core, core, {});
+    ChainFace chain;
+    chain.face = faceOfA(pair, 0);
+    addCorners(pair, segment, chain);
+    const DVec2 wanted = toDouble(normal);
+    if (!(dot(wanted, chain.face.normal) >= 0)) { return normalOf(segment); }
+    const NormalVerdict verdict = chain.judge(wanted);
+    if (verdict == NormalVerdict::admitted) { return normal; }
+    const Corner& corner = chain.cornerTowards(wanted);
+    const bool isNeighbours = verdict == NormalVerdict::refused && corner.kind == CornerKind::convex;
+    return isNeighbours ? toReal(corner.neighbourNormal) : normalOf(segment);
 }
 
 Manifold collideChainBySearch(const ChainSegment& a, const Polygon& b, const Transform& bInA, Real margin) {

@@ -29,11 +29,12 @@ Sweep pathAfter(const BulletPartner& partner, double time) {
 }
 
 Sweep pathWith(const BulletPartner& rider, const BulletPartner& carrier, double time) {
+    const Flight& flight = rider.flight;
     const double length = carrier.flight.dt - carrier.pathFrom;
     const double from = (time - carrier.pathFrom) / length;
     const double turn = angleAt(carrier.path, 1) - angleAt(carrier.path, from);
     const Rotation rotation = rotationFromAngle(turn);
-    const BodyMotion& motion = rider.flight.motion;
+    const BodyMotion& motion = flight.motion;
     const DVec2 arm = motion.center - centerAt(carrier.path, from);
     const DVec2 turned{static_cast<double>(rotation.c) * arm.x - static_cast<double>(rotation.s) * arm.y,
                        static_cast<double>(rotation.s) * arm.x + static_cast<double>(rotation.c) * arm.y};
@@ -41,8 +42,7 @@ Sweep pathWith(const BulletPartner& rider, const BulletPartner& carrier, double 
                .c0 = motion.center,
                .c1 = centerAt(carrier.path, 1) + turned,
                .a0 = motion.angle,
-               .a1 = motion.angle + turn};
-    const Flight& flight = rider.flight;
+               .a1 = motion.angle + (flight.body().def.fixedRotation ? 0 : turn)};
     const double met = endAtGround(flight, path);
     if (!(met < 1)) { return path; }
     // It stands there for the rest of the step, in which a kinematic body goes on.

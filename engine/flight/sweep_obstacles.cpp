@@ -72,21 +72,48 @@ struct StartContact {
 
 WorldTransform startOf(const Sweep& sweep) { return motionAt(sweep, 0, toReal(sweep.localCenter)).pose; }
 
-/// A chain refuses what belongs to a neighbour; for a sweep it still stands in the way, with its own side.
-StartContact contactAtStart(const WorldState& world, const FlightObstacle& obstacle, const WorldTransform& pose,
-                            const WorldTransform& otherPose, Real margin) {
-    const Shape& own = world.shapes[obstacle.own];
-    const Shape& other = world.shapes[obstacle.other];
-    Manifold manifold = obstacleManifold(world, obstacle, otherPose, pose, margin);
-    if (manifold.count == 0 && other.isChainSegment) {
-        manifold = collide(other.polygon, own.polygon, relativeTransform(otherPose, pose), margin);
-        if (dot(manifold.normal, normalOf(other.segment)) < 0) { manifold.normal = normalOf(other.segment); }
-    }
+StartContact startContact(const Manifold& manifold, const WorldTransform& otherPose, Real margin) {
     StartContact contact{manifold.count > 0, margin, rotate(otherPose.rotation, manifold.normal)};
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
         contact.deepest = std::min(contact.deepest, manifold.points[i].separation);
     }
     return contact;
+}
+
+/// A chain refuses what belongs to a neighbour; for a sweep it still stands in the way, with its own side: what is half
+/// way through the ground beside an inner vertex is shorter out along the ground, but goes out as its neighbours say.
+/// @param known  returned unless the shapes overlap deeper than that
+StartContact closestAtStart(const Shape& own, const Shape& segment, const WorldTransform& pose,
+                            const WorldTransform& otherPose, Real margin, const StartContact& known) {
+    const Manifold closest = collide(segment.polygon, own.polygon, relativeTransform(otherPose, pose), margin);
+    StartContact contact = startContact(closest, otherPose, margin);
+    if (!contact.touches || !(contact.deepest < known.deepest)) { return known; }
+    const Vec2 normal = outwardNormal(segment.segment, closest.normal);
+    if (normal == closest.normal) { return contact; }
+    contact.normal = rotate(otherPose.rotation, normal);
+    contact.deepest = separationAlong(segment.polygon, otherPose, own.polygon, pose, contact.normal);
+    return contact;
+}
+
+StartContact contactAtStart(const WorldState& world, const FlightObstacle& obstacle, const WorldTransform& pose,
+                            const WorldTransform& otherPose, Real margin) {
+    const Shape& own = world.shapes[obstacle.own];
+    const Shape& other = world.shapes[obstacle.other];
+    const Manifold manifold = obstacleManifold(world, obstacle, otherPose, pose, margin);
+    const StartContact contact = startContact(manifold, otherPose, margin);
+    if (contact.touches || !other.isChainSegment) { return contact; }
+    return closestAtStart(own, other, pose, otherPose, margin, contact);
+}
+
+/// Likewise, of what overlaps: beside an inner vertex the points over a segment may be those of another side of a shape
+/// that is round, and tell nothing of what is in it.
+StartContact overlapAtStart(const WorldState& world, const FlightObstacle& obstacle, const WorldTransform& pose,
+                            const WorldTransform& otherPose) {
+    const Shape& own = world.shapes[obstacle.own];
+    const Shape& other = world.shapes[obstacle.other];
+    const Real margin = std::min(own.extent, other.extent);
+    const StartContact contact = contactAtStart(world, obstacle, pose, otherPose, margin);
+    return other.isChainSegment ? closestAtStart(own, other, pose, otherPose, margin, contact) : contact;
 }
 
 /// Ground flush with what the body stands on, along any of these normals: it may sink into it along the same normal, or
@@ -114,8 +141,7 @@ void liftFlush(const WorldState& world, double slops, std::span<const Vec2> norm
 
 /// Overlap at the start is measured along the contact's normal: the sweep is looked at as if it began at the target.
 void liftOut(const WorldState& world, FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep) {
-    const Real margin = std::min(world.shapes[obstacle.own].extent, world.shapes[obstacle.other].extent);
-    const StartContact contact = contactAtStart(world, obstacle, startOf(sweep), startOf(otherSweep), margin);
+    const StartContact contact = overlapAtStart(world, obstacle, startOf(sweep), startOf(otherSweep));
     const double depth = -static_cast<double>(std::min(contact.deepest, Real(0)));
     const double slack = slackOf(world, obstacle);
     obstacle.isSunkInto = depth > slack;

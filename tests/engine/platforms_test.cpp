@@ -143,6 +143,30 @@ TEST_P(Platform, IsSolidForWhatWasPutThere) {
     EXPECT_NEAR(moved.height(), kTall, 0.01);
 }
 
+/// Half way through a slope, beside a vertex of it, the shortest way out of the next piece leads along the ground: who
+/// was held off along that one hung there for ever.
+TEST_P(Platform, LetsNobodyHangBesideAnInnerVertex) {
+    for (const Profile profile : kProfiles) {
+        for (const double slope : {0.2, -0.3}) {
+            for (int tenths = -5; tenths <= 5; ++tenths) {
+                for (const double height : {0.7, 0.5, 0.2}) {
+                    World world = makeWorld(profile);
+                    const BodyId ground = must(world.createBody(bodyAt(BodyType::kinematic, {}, slope)));
+                    must(world.addChain(ground, std::array{vec(5, 0), vec(0, 0), vec(-5, 0)}, false, material(0.5)));
+                    BodyDef def = dynamicAt(turned({0.1 * tenths, 0}, slope) + DVec2{0, height});
+                    def.fixedRotation = true;
+                    addBody(world, def, GetParam(), material(0.5));
+                    runFor(world, 1);
+                    const std::string where = profileName(profile) + ", slope " + std::to_string(slope) + ", at " +
+                                              std::to_string(0.1 * tenths) + ", " + std::to_string(height);
+                    EXPECT_LT(deepestOverlap(world), 0.01) << where;
+                    EXPECT_TRUE(world.lostTime().empty()) << where;
+                }
+            }
+        }
+    }
+}
+
 TEST_P(Platform, HoldsWhatFallsOntoItInEveryMode) {
     for (const ContinuousMode mode : {ContinuousMode::off, ContinuousMode::stop, ContinuousMode::subStep}) {
         Jump jump(GetParam(), 0);

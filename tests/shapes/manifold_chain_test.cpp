@@ -245,5 +245,38 @@ TEST(ChainManifold, RadiusGrowsTheChain) {
     }
 }
 
+/// A segment of 2 m that collides upwards, between two neighbours that go down or up from its ends by an angle.
+ChainSegment segmentBetween(double down) {
+    const double y = -std::sin(down);
+    const double x = 1 + std::cos(down);
+    return {.before = {real(x), real(y)},
+            .p = {1, 0},
+            .q = {-1, 0},
+            .after = {real(-x), real(y)},
+            .hasBefore = true,
+            .hasAfter = true};
+}
+
+TEST(ChainNormals, AreThoseThatTheNeighboursLeave) {
+    const Vec2 up{0, 1};
+    const auto slanting = [](double angle) { return Vec2{real(std::sin(angle)), real(std::cos(angle))}; };
+    for (const double side : {-1.0, 1.0}) {
+        for (const double down : {-0.5, 0.0}) {  // a valley, or flat ground
+            EXPECT_EQ(outwardNormal(segmentBetween(down), slanting(0.3 * side)), up) << down;
+            EXPECT_EQ(outwardNormal(segmentBetween(down), slanting(1.5 * side)), up) << down;
+        }
+        const ChainSegment ridge = segmentBetween(0.5);
+        EXPECT_EQ(outwardNormal(ridge, up), up);
+        EXPECT_EQ(outwardNormal(ridge, slanting(0.3 * side)), slanting(0.3 * side));
+        const Vec2 neighbours = slanting(0.5 * side);
+        EXPECT_NEAR(outwardNormal(ridge, slanting(1.5 * side)).x, neighbours.x, 1e-6);
+        EXPECT_NEAR(outwardNormal(ridge, slanting(1.5 * side)).y, neighbours.y, 1e-6);
+        EXPECT_EQ(outwardNormal(ridge, slanting(3.0 * side)), up);  // from behind
+        ChainSegment open = ridge;
+        open.hasBefore = open.hasAfter = false;
+        EXPECT_EQ(outwardNormal(open, slanting(1.5 * side)), slanting(1.5 * side));
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
