@@ -58,7 +58,10 @@ WorldTransform endOf(const Sweep& path) {
     return poseOf(centerAt(path, 1), rotationFromAngle(angleAt(path, 1)), toReal(path.localCenter));
 }
 
-Transform endOf(const Sweep& pathA, const Sweep& pathB) { return relativeTransform(endOf(pathA), endOf(pathB)); }
+/// Pose of B in the frame of A.
+Transform relativeAtEnd(const Sweep& pathA, const Sweep& pathB) {
+    return relativeTransform(endOf(pathA), endOf(pathB));
+}
 
 /// How high above its core a point of a polygon's frame is, metres; below 0 in it, by how far the point would have to
 /// move to leave it.
@@ -105,7 +108,7 @@ bool misses(const WorldState& world, const Contact& contact, const FreeMotion& a
     const Polygon& shapeB = world.shapes[contact.shapeB].polygon;
     const Sweep pathA = a.path(world.bodies[contact.bodyA].localCenter, dt);
     const Sweep pathB = b.path(world.bodies[contact.bodyB].localCenter, dt);
-    const Transform bInA = endOf(pathA, pathB);
+    const Transform bInA = relativeAtEnd(pathA, pathB);
     end = overlapBound(shapeA, shapeB, bInA, contact.manifold.normal);
     if (end <= -2 * kTargetRatio * contact.extent) { return false; }  // mostly they have met by the end
     end = distance(shapeA, shapeB, bInA).distance;
@@ -123,7 +126,7 @@ bool misses(const WorldState& world, const Contact& contact, const FreeMotion& a
         Sweep beside = pathB;
         beside.c0 += aside;
         beside.c1 += aside;
-        const bool isPast = distance(shapeA, shapeB, endOf(pathA, beside)).distance > 0;
+        const bool isPast = distance(shapeA, shapeB, relativeAtEnd(pathA, beside)).distance > 0;
         if (isPast && arePathsApart(shapeA, pathA, shapeB, beside, 0, grazed / 8)) { return true; }
     }
     return false;

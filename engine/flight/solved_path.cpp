@@ -218,7 +218,7 @@ FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double tim
         areClear = areClear && obstacle.isClear;
     }
     if (areClear) { return {}; }
-    allowSlack(world, path, time, scratch);
+    allowSlack(world, path, 0, scratch);
     return firstImpact(world, path, 0, time, scratch, limit, ignoresSunk);
 }
 

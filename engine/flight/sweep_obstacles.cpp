@@ -91,7 +91,9 @@ StartContact closestAtStart(const Shape& own, const Shape& segment, const WorldT
     const Vec2 normal = outwardNormal(segment.segment, closest.normal);
     if (normal == closest.normal) { return contact; }
     contact.normal = rotate(otherPose.rotation, normal);
-    contact.deepest = separationAlong(segment.polygon, otherPose, own.polygon, pose, contact.normal);
+    if (contact.deepest < 0) {  // else it is beside the segment, and may be below its line
+        contact.deepest = separationAlong(segment.polygon, otherPose, own.polygon, pose, contact.normal);
+    }
     return contact;
 }
 
@@ -112,7 +114,8 @@ StartContact overlapAtStart(const WorldState& world, const FlightObstacle& obsta
     const Shape& own = world.shapes[obstacle.own];
     const Shape& other = world.shapes[obstacle.other];
     const Real margin = std::min(own.extent, other.extent);
-    const StartContact contact = contactAtStart(world, obstacle, pose, otherPose, margin);
+    const StartContact contact =
+        startContact(obstacleManifold(world, obstacle, otherPose, pose, margin), otherPose, margin);
     return other.isChainSegment ? closestAtStart(own, other, pose, otherPose, margin, contact) : contact;
 }
 
@@ -293,7 +296,7 @@ Manifold obstacleManifold(const WorldState& world, const FlightObstacle& obstacl
                          margin);
 }
 
-void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightScratch& scratch) {
+void allowSlack(const WorldState& world, const Sweep& sweep, double from, FlightScratch& scratch) {
     scratch.normals.clear();
     std::uint32_t otherBody = kNoIndex;
     WorldTransform otherPose;
@@ -306,7 +309,7 @@ void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightSc
         const auto farthest = static_cast<double>(own.radius + margin + slopOf(own, other));
         if (squaredDistanceTo(world, obstacle, sweep.c0) > farthest * farthest) { continue; }
         if (other.body != otherBody) {  // of a chain, all are of one
-            otherPose = startOf(obstacleSweep(world, other.body, 0, dt));
+            otherPose = startOf(obstacleSweep(world, other.body, from, from));
             otherBody = other.body;
         }
         const StartContact contact = contactAtStart(world, obstacle, scratch.startPose, otherPose, margin);
@@ -316,7 +319,7 @@ void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightSc
             scratch.normals.push_back(contact.normal);
         }
     }
-    liftFlush(world, static_cast<double>(kSlackRatio / kTargetRatio), scratch.normals, 0, scratch);
+    liftFlush(world, static_cast<double>(kSlackRatio / kTargetRatio), scratch.normals, from, scratch);
 }
 
 void allowSag(const WorldState& world, std::span<const Vec2> normals, double from, FlightScratch& scratch) {

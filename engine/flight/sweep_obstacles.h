@@ -30,10 +30,11 @@ void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& swe
 Manifold obstacleManifold(const WorldState& world, const FlightObstacle& obstacle, const WorldTransform& other,
                           const WorldTransform& own, Real margin);
 
-/// Obstacles that a body touches at the start of the step, and that the contact solver therefore holds it off, may be
+/// Obstacles that a body touches at the start of its sweep, and that the contact solver therefore holds it off, may be
 /// sunk into by a part of the extent: the solver is soft, and a body that rolls or tips about a contact must not stop
 /// there.
-void allowSlack(const WorldState& world, const Sweep& sweep, double dt, FlightScratch& scratch);
+/// @param from  seconds of the step at which the sweep begins
+void allowSlack(const WorldState& world, const Sweep& sweep, double from, FlightScratch& scratch);
 
 /// Obstacles that carry the flyer, along these normals, and all that is flush with them, may be sunk into by a part of
 /// the slop. @param from  seconds of the step at which the sweep begins

@@ -1,5 +1,9 @@
 #include "take_along.h"
 
+#include <algorithm>
+#include <initializer_list>
+
+#include "../../toi/toi_polygon.h"
 #include "sweep_obstacles.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -37,6 +41,49 @@ Sweep carriedWay(const Body& body, const BodyMotion& motion, const Sweep& carrie
     return way;
 }
 
+/// How far a body has to leave an obstacle to turn beside it, metres.
+/// @param normal  from the obstacle, unit
+double roomToTurn(const WorldState& world, const Body& body, const Shape& other, const Sweep& ground,
+                  const Sweep& turns, DVec2 normal) {
+    const ToiPolygon side = asToiPolygon(other.polygon);
+    const double turn = turns.a1 - turns.a0;
+    double room = 0;
+    for (const std::uint32_t slot : body.shapes) {
+        const Shape& own = world.shapes[slot];
+        if (own.def.sensor) { continue; }
+        const ToiPolygon shape = asToiPolygon(own.polygon);
+        const double bulge = static_cast<double>(own.radius - own.polygon.radius) * turn * turn / 8;
+        room = std::max(room, bulge + separationAlong(side, ground, shape, turns, 0, normal) -
+                                  separationAlong(side, ground, shape, turns, 1, normal));
+    }
+    return room;
+}
+
+/// Who may not turn is turned back, beside what took it along, if there is room for that: better turned than squeezed
+/// through a wall.
+/// @param touched  what took it along
+/// @param time  seconds of the step: everything stands as it is then
+BodyMotion turnedBack(const WorldState& world, std::uint32_t slot, const BodyMotion& carried, double angle,
+                      const FlightObstacle& touched, double time, FlightScratch& scratch) {
+    const Body& body = world.bodies[slot];
+    const Shape& other = world.shapes[touched.other];
+    const Sweep ground = obstacleSweep(world, other.body, time, time);
+    Sweep leaves = standing(body, carried);
+    Sweep turns = leaves;
+    turns.a1 = angle;
+    const DVec2 normal =
+        separationAt(asToiPolygon(other.polygon), ground, asToiPolygon(world.shapes[touched.own].polygon), leaves, 0)
+            .normal;
+    leaves.c1 += roomToTurn(world, body, other, ground, turns, normal) * normal;
+    turns.c0 = turns.c1 = leaves.c1;
+    for (const Sweep& way : {leaves, turns}) {
+        findObstacles(world, slot, way, time, scratch);
+        allowSlack(world, way, time, scratch);
+        if (firstImpact(world, way, time, time, scratch, 1, true).hit) { return carried; }
+    }
+    return motionAt(turns, 1, body.localCenter);
+}
+
 }  // namespace
 
 void takeAlong(const WorldState& world, std::uint32_t slot, BodyMotion& motion, double from, double to,
@@ -48,14 +95,16 @@ void takeAlong(const WorldState& world, std::uint32_t slot, BodyMotion& motion, 
     std::erase_if(scratch.obstacles, [&](const FlightObstacle& obstacle) { return !isKinematic(world, obstacle); });
     const FirstImpact met = firstImpact(world, stands, from, to, scratch);
     if (!met.hit) { return; }
-    const std::uint32_t carrier = world.shapes[scratch.obstacles[met.obstacle].other].body;
+    const FlightObstacle touched = scratch.obstacles[met.obstacle];
+    const std::uint32_t carrier = world.shapes[touched.other].body;
     const double since = from + met.fraction * (to - from);
     const Sweep way = carriedWay(body, motion, obstacleSweep(world, carrier, since, to));
     findObstacles(world, slot, way, since, scratch);
     std::erase_if(scratch.obstacles,
                   [&](const FlightObstacle& obstacle) { return world.shapes[obstacle.other].body == carrier; });
     const FirstImpact stopped = firstImpact(world, way, since, to, scratch);
-    const BodyMotion carried = motionAt(way, stopped.hit ? stopped.fraction : 1, body.localCenter);
+    BodyMotion carried = motionAt(way, stopped.hit ? stopped.fraction : 1, body.localCenter);
+    if (body.def.fixedRotation) { carried = turnedBack(world, slot, carried, motion.angle, touched, to, scratch); }
     motion.center = carried.center;
     motion.angle = carried.angle;
     motion.pose = carried.pose;

@@ -88,7 +88,7 @@ void DirectContacts::list(SolverBatch& batch, DirectSystem& system) {
         const DirectSystem::Load& load = system.loadOf(system.islandOf(nodes.begin));
         Part part{.nodes = nodes,
                   .begin = points_.size(),
-                  .isWide = bodies >= kFewestOfWide && load.contacts > load.bodies,
+                  .isWide = load.bodies >= kFewestOfWide && load.contacts > load.bodies,
                   .spareRounds = spareRoundsFor(bodies)};
         for (; taken < next_[i]; ++taken) { addPoints(batch, batch.contacts[order_[taken]], system); }
         part.end = points_.size();

@@ -109,7 +109,7 @@ private:
                   double tangentShare = 1);
     void computeChange(const Part& part, DirectSystem& system, const DirectJoints& joints) const;
     static void guessHolds(std::span<Point> points);
-    bool mayUseFactor(const Part& part, DirectSystem& system, const DirectJoints& joints) const;
+    bool takeUpFactor(const Part& part, DirectSystem& system, const DirectJoints& joints) const;
     bool searchPart(Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report);
     bool searchIn(Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report);
     bool settle(const Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report);

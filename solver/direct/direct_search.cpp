@@ -108,8 +108,8 @@ void DirectContacts::computeProjection(DirectSystem& system, const DirectJoints&
     report.add(most);
 }
 
-/// Whether the factor serves: as it is, or among many bodies with what changed since.
-bool DirectContacts::mayUseFactor(const Part& part, DirectSystem& system, const DirectJoints& joints) const {
+/// Takes up the factor that there is: as it is, or among many bodies with what changed since. @return whether it serves
+bool DirectContacts::takeUpFactor(const Part& part, DirectSystem& system, const DirectJoints& joints) const {
     system.forgetChanges();
     if (!system.isFactorised(part.nodes) || !joints.isEmpty()) { return false; }
     const auto changesOf = [this](std::size_t i) {
@@ -256,7 +256,7 @@ bool DirectContacts::settle(const Part& part, DirectSystem& system, const Direct
     bool hasPlace = false;
     const int mostRounds = isPatient_ ? kMostRoundsOfPatient : kMostRounds;
     for (int round = 0; round < mostRounds && roundsLeft_-- > 0; ++round) {
-        if (!mayUseFactor(part, system, joints)) { assemble(part, system, joints, report); }
+        if (!takeUpFactor(part, system, joints)) { assemble(part, system, joints, report); }
         computeChange(part, system, joints);
         ++report.rounds;
         if (round == 0) { findNoise(part, system); }
@@ -310,7 +310,7 @@ bool DirectContacts::tighten(const Part& part) {
     for (Point& contact : pointsOf(part)) {
         if (contact.normalHold == Hold::free) { continue; }
         contact.normal.guess = contact.normal.impulse;
-        if (contact.tangentHold == Hold::forced) {
+        if (part.isWide && contact.tangentHold == Hold::forced) {
             contact.tangent.impulse = std::clamp(contact.tangent.impulse, -contact.limit, contact.limit);
         }
         contact.tangent.guess = contact.tangent.impulse;

@@ -130,7 +130,8 @@ public:
     void push(const SystemRow& row, double impulse);
     void solve() { matrix_.solve(change_); }
     void solve(NodeRange part) {
-        changes_.count() == 0 ? matrix_.solve(change_, part) : changes_.solve(matrix_, change_, part);
+        if (changes_.count() == 0) { return matrix_.solve(change_, part); }
+        changes_.solve(matrix_, change_, part);
     }
     /// The excess of a row after a change of velocities.
     static double excessAfter(const SystemRow& row, std::span<const Block3> change);

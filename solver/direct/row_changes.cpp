@@ -81,6 +81,7 @@ void RowChanges::solve(const BlockLdlt& factor, std::span<Block3> values, NodeRa
     }
     factor.beginSolve(values, ordered_, part);
     for (std::size_t c = 0; c < n; ++c) { shares_[c] = along(changes_[c], ordered_); }
+    // Neither matrix is singular, so this one is not. If rounding made it so, the old factor leads down, too.
     if (findShares()) {
         for (std::size_t c = 0; c < n; ++c) {
             const Change& change = changes_[c];

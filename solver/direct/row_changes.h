@@ -26,6 +26,7 @@ public:
     /// @param factor  of the matrix as it was, which stays until `clear`
     /// @param part  in which the row is
     /// @param k  not zero
+    /// @pre no row twice: what comes and goes again is lost in rounding
     void add(const BlockLdlt& factor, NodeRange part, std::span<const End> ends, double k);
     /// As `BlockLdlt::solve`, of the matrix as it is with the changes. @pre there are some, all of this part
     void solve(const BlockLdlt& factor, std::span<Block3> values, NodeRange part);

@@ -77,7 +77,7 @@ TEST(Heaps, SearchesHaveAnEnd) {
 /// all at once in each step, and soon again after one in which both were iterated. (Sixteen steps it was not.)
 TEST(Heaps, OthersDoNotPayForOne) {
     constexpr int kBoxes = 12;
-    Heap heap(226, true);
+    Heap heap(226, true);  // in which something is searched in vain, in both precisions
     addStatic(heap.world, box(5, 0.5), {}, {500, -0.5});
     for (int i = 0; i < kBoxes; ++i) { addBody(heap.world, dynamicAt({500, 0.5 + i}), box(2, 0.5)); }
     BodyDef disk = dynamicAt({499, kBoxes + 0.5});

@@ -114,6 +114,40 @@ TEST(MovingWalls, RoomsThatTurnHoldALoneBody) {
     }
 }
 
+/// Who is held at his impact goes along with the wall that struck him, or the bullet that he
+/// rides on, and turned with them, too.
+TEST(MovingWalls, TurnNobodyWhoDoesNotTurn) {
+    for (const Profile profile : kProfiles) {
+        for (const Walls walls : {Walls::chain, Walls::segments, Walls::thinBoxes}) {
+            for (std::uint32_t seed = 0; seed < 6; ++seed) {
+                std::mt19937 random(seed);
+                World world = makeWorld(profile);
+                const BodyId room = addRoom(world, walls);
+                std::vector<BodyId> bodies;
+                for (int i = 0; i < 8; ++i) {
+                    BodyDef def = dynamicAt({in(random, -3.5, 3.5), 0});
+                    def.position.y = in(random, -2.5, 2.5);
+                    def.fixedRotation = i % 2 == 0;
+                    def.velocity = vec(in(random, -30, 30), 0);
+                    if (i % 2 != 0) { def.angularVelocity = real(in(random, -9, 9)); }
+                    def.bullet = seed % 2 == 1;
+                    bodies.push_back(addBody(world, def, shapeOf(static_cast<std::uint32_t>(random() % 4))));
+                }
+                for (int step = 0; step < 120; ++step) {
+                    if (step % 20 == 0) { must(world.setVelocity(room, {}, real(in(random, -12, 12)))); }
+                    run(world, 1);
+                    for (const BodyId body : bodies) {
+                        ASSERT_TRUE(world.angle(body) == 0 || !world.definition(body).fixedRotation)
+                            << profileName(profile) << " walls " << static_cast<int>(walls) << " seed " << seed
+                            << " step " << step;
+                        ASSERT_FALSE(isOut(world, room, body, kReach + kWall)) << "seed " << seed << " step " << step;
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// Bodies that press each other against walls that are shaken.
 TEST(MovingWalls, RoomsThatAreShakenHoldACrowd) {
     constexpr std::size_t kBodies = 8;
