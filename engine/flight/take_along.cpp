@@ -59,29 +59,37 @@ double roomToTurn(const WorldState& world, const Body& body, const Shape& other,
     return room;
 }
 
+/// In a corner there are two walls to leave.
+constexpr int kMostLeft = 3;
+
 /// Who may not turn is turned back, beside what took it along, if there is room for that: better turned than squeezed
 /// through a wall.
 /// @param touched  what took it along
 /// @param time  seconds of the step: everything stands as it is then
 BodyMotion turnedBack(const WorldState& world, std::uint32_t slot, const BodyMotion& carried, double angle,
-                      const FlightObstacle& touched, double time, FlightScratch& scratch) {
+                      FlightObstacle touched, double time, FlightScratch& scratch) {
     const Body& body = world.bodies[slot];
-    const Shape& other = world.shapes[touched.other];
-    const Sweep ground = obstacleSweep(world, other.body, time, time);
     Sweep leaves = standing(body, carried);
     Sweep turns = leaves;
     turns.a1 = angle;
-    const DVec2 normal =
-        separationAt(asToiPolygon(other.polygon), ground, asToiPolygon(world.shapes[touched.own].polygon), leaves, 0)
-            .normal;
-    leaves.c1 += roomToTurn(world, body, other, ground, turns, normal) * normal;
-    turns.c0 = turns.c1 = leaves.c1;
-    for (const Sweep& way : {leaves, turns}) {
+    const auto meets = [&](const Sweep& way) {
         findObstacles(world, slot, way, time, scratch);
         allowSlack(world, way, time, scratch);
-        if (firstImpact(world, way, time, time, scratch, 1, true).hit) { return carried; }
+        const FirstImpact met = firstImpact(world, way, time, time, scratch, 1, true);
+        if (met.hit) { touched = scratch.obstacles[met.obstacle]; }
+        return met.hit;
+    };
+    for (int i = 0; i < kMostLeft; ++i) {
+        const Shape& other = world.shapes[touched.other];
+        const Sweep ground = obstacleSweep(world, other.body, time, time);
+        const DVec2 normal =
+            separationAt(asToiPolygon(other.polygon), ground, asToiPolygon(world.shapes[touched.own].polygon), turns, 0)
+                .normal;
+        leaves.c1 += roomToTurn(world, body, other, ground, turns, normal) * normal;
+        turns.c0 = turns.c1 = leaves.c1;
+        if (!meets(leaves) && !meets(turns)) { return motionAt(turns, 1, body.localCenter); }
     }
-    return motionAt(turns, 1, body.localCenter);
+    return carried;
 }
 
 }  // namespace
