@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "../flight/chain_crossing.h"
+#include "../solve/lent_energy.h"
 #include "../state/profile.h"
 #include "island_advance.h"
 
@@ -84,6 +85,8 @@ void remember(WorldState& world, std::size_t island) {
     for (const std::uint32_t joint : fast.joints.of(island)) {
         fast.triedHinges[place.hinge++] = world.joints[joint].hinge;
     }
+    const LentEnergy* const lent = lentOf(world, fast.joints.of(island));
+    if (lent != nullptr) { fast.triedPlaces[island].lent = *lent; }
 }
 
 /// Whether they met something, and if so, they are as they were.
@@ -113,6 +116,8 @@ void judge(WorldState& world, std::size_t island, double dt, FlightScratch& scra
     for (const std::uint32_t joint : fast.joints.of(island)) {
         world.joints[joint].hinge = fast.triedHinges[place.hinge++];
     }
+    LentEnergy* const lent = lentOf(world, fast.joints.of(island));
+    if (lent != nullptr) { *lent = place.lent; }
 }
 
 void takeBackContacts(WorldState& world) {

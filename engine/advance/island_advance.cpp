@@ -8,6 +8,7 @@
 #include "../flight/ground_on_the_way.h"
 #include "../flight/solved_path.h"
 #include "../modes/modes.h"
+#include "../solve/lent_energy.h"
 #include "../solve/tied_group.h"
 #include "../state/profile.h"
 #include "cut_motion.h"
@@ -48,6 +49,7 @@ struct Course {
     double shortest = 0;
     double subStepBefore = 0;  ///< the part that is being tried
     std::size_t eventsBefore = 0;
+    LentEnergy* lent = lentOf(world, island.jointSlots);
 };
 
 /// Reactions of the joints are means over the step so far.
@@ -98,6 +100,7 @@ void remember(Course& course, bool isTried) {
     course.subStepBefore = course.island.subStep;
     island.jointsBefore.clear();
     for (const std::uint32_t slot : island.jointSlots) { island.jointsBefore.push_back(course.world.joints[slot]); }
+    if (course.lent != nullptr) { island.lentBefore = *course.lent; }
     course.eventsBefore = course.desk.events.size();
 }
 
@@ -109,6 +112,7 @@ void takeBack(Course& course) {
     for (std::size_t i = 0; i < island.jointSlots.size(); ++i) {
         course.world.joints[island.jointSlots[i]] = island.jointsBefore[i];
     }
+    if (course.lent != nullptr) { *course.lent = island.lentBefore; }
     island.held = island.heldBefore;
     island.subStep = course.subStepBefore;
     island.sources.resize(island.held.size());
@@ -197,6 +201,7 @@ void begin(Course& course) {
         course.world.joints[slot].reactionForce = {};
         course.world.joints[slot].reactionTorque = 0;
     }
+    if (course.lent != nullptr) { island.lentAtStart = *course.lent; }
 }
 
 /// What the next step and its report need: poses at the start of the step, kinematic bodies there, contacts.

@@ -4,7 +4,6 @@
 
 #include "../bodies/body_mass.h"
 #include "../solve/joint_builder.h"
-#include "../solve/lent_energy.h"
 #include "../state/profile.h"
 #include "../state/world_state.h"
 #include "effort_budget.h"
@@ -164,8 +163,21 @@ void restore(WorldState& world, const IsTakenBack& isTakenBack) {
         if (!isTakenBack(slot)) { continue; }
         world.motions[slot] = trial.motions[slot];
         world.bodies[slot].flung = false;
-        forgetLent(world, slot);
         ++world.counters.bodiesAgain;
+    }
+    for (const ChainLoan& loan : trial.loans) {
+        JointChain& chain = world.jointChains.list[loan.chain];
+        if (isTakenBack(chain.lowest)) { chain.lent = loan.lent; }
+    }
+}
+
+void rememberLoans(WorldState& world, Effort effort) {
+    world.trial.loans.clear();
+    if (!world.jointChains.mayAnyLend) { return; }
+    const std::vector<JointChain>& chains = world.jointChains.list;
+    for (std::uint32_t i = 0; i < chains.size(); ++i) {
+        const bool isIn = chains[i].mayLend && isMember(world, chains[i].lowest, effort);
+        if (isIn) { world.trial.loans.push_back({.chain = i, .lent = chains[i].lent}); }
     }
 }
 
@@ -192,6 +204,7 @@ void rememberClass(WorldState& world, Effort effort) {
     }
     trial.joints.clear();
     for (const std::uint32_t i : world.tiedJoints) { trial.joints.push_back(world.joints[i]); }
+    rememberLoans(world, effort);
     trial.events = world.contactEvents.size();
 }
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "../bodies/body_joints.h"
+#include "../solve/lent_energy.h"
 #include "../state/world_state.h"
 #include "thin_loops.h"
 
@@ -94,7 +96,7 @@ void listMembers(WorldState& world) {
     for (const JointChains::Member& member : chains.members) {
         if (member.lowest == member.body) {
             chains.places[member.lowest] = static_cast<std::uint32_t>(chains.list.size());
-            chains.list.push_back({.lowest = member.lowest});
+            chains.list.push_back({.lowest = member.lowest, .mayLend = true});
         }
         ++chains.list[chains.places[member.lowest]].bodies;
     }
@@ -126,9 +128,13 @@ void sumUpJoints(WorldState& world) {
         chain.poweredJoints += tie.isPowered ? 1 : 0;
         chain.angleJoints += tie.holdsAngle ? 1 : 0;
         chain.isPassive = chain.isPassive && tie.isPassive;
+        chain.mayLend = chain.mayLend && tie.isPassive && !tie.isPowered && !tie.isSprung;
         bool areAllDynamic = true;
         forEachBodyOf(world, tie, i, [&](std::uint32_t slot) {
-            areAllDynamic = areAllDynamic && (isAwakeDynamic(world, slot) || world.bodies[slot].isDynamic());
+            if (isAwakeDynamic(world, slot)) { return; }
+            const Body& body = world.bodies[slot];
+            areAllDynamic = areAllDynamic && body.isDynamic();
+            chain.mayLend = chain.mayLend && body.def.type == BodyType::fixed;
         });
         chain.anchors += areAllDynamic ? 0 : 1;
         chain.isAdrift = chain.isAdrift && areAllDynamic && tie.pushesInside;
@@ -137,6 +143,10 @@ void sumUpJoints(WorldState& world) {
                                     [](const JointChain& chain) { return chain.isPassive && chain.anchors == 0; });
     chains.isAnyAdrift =
         std::any_of(chains.list.begin(), chains.list.end(), [](const JointChain& chain) { return chain.isAdrift; });
+    for (JointChain& chain : chains.list) {
+        chain.mayLend = chain.mayLend && chain.anchors > 0;
+        chains.mayAnyLend = chains.mayAnyLend || chain.mayLend;
+    }
 }
 
 }  // namespace
@@ -144,12 +154,14 @@ void sumUpJoints(WorldState& world) {
 void findJointChains(WorldState& world) {
     JointChains& chains = world.jointChains;
     world.activeJoints.clear();
+    std::swap(chains.list, chains.before);
     chains.list.clear();
     chains.members.clear();
     chains.areCurrent = true;
     chains.tieSleepers = false;
     chains.isAnyLoose = false;
     chains.isAnyAdrift = false;
+    chains.mayAnyLend = false;
     if (world.joints.size() == 0) { return; }
     if (anyAsleep(world)) {
         chains.tieSleepers = tieSleepers(world);
@@ -160,6 +172,8 @@ void findJointChains(WorldState& world) {
     tieBodies(world);
     listMembers(world);
     sumUpJoints(world);
+    if (chains.mayAnyLend) { keepLent(world); }
+    chains.before.clear();
     findThinLoops(world);
 }
 

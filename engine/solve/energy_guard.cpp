@@ -99,9 +99,8 @@ void findFed(WorldState& world, const TiedGroup& group) {
     }
 }
 
-void noteJointed(EnergyAccount& account, bool isExact, bool isPassive, std::uint32_t anchors) {
+void noteJointed(EnergyAccount& account, bool isExact, std::uint32_t anchors) {
     account.isJointed = true;
-    account.hasMotors = account.hasMotors || !isPassive;
     account.isFed = account.isFed || isExact;
     account.isAnchored = account.isAnchored || anchors > 0;
     account.anchors += anchors;
@@ -115,7 +114,7 @@ void noteJointed(WorldState& world, const TiedGroup& group) {
         for (const JointChain& chain : world.jointChains.list) {
             EnergyAccount& account = accountOf(world, chain.lowest);
             const bool isIn = account.solve == group.desk.energySolve;
-            if (isIn) { noteJointed(account, isExact, chain.isPassive, chain.anchors); }
+            if (isIn) { noteJointed(account, isExact, chain.anchors); }
         }
         return;
     }
@@ -123,7 +122,7 @@ void noteJointed(WorldState& world, const TiedGroup& group) {
     for (const std::uint32_t joint : group.joints) {
         const JointTie& tie = world.jointTies[joint];
         EnergyAccount& account = accountOf(world, moves(tie.bodyA) ? tie.bodyA : tie.bodyB);
-        noteJointed(account, isExact, tie.isPassive, moves(tie.bodyA) && moves(tie.bodyB) ? 0 : 1);
+        noteJointed(account, isExact, moves(tie.bodyA) && moves(tie.bodyB) ? 0 : 1);
     }
 }
 
@@ -255,9 +254,7 @@ void book(WorldState& world, SolveDesk& desk) {
             root = next;
             account = &world.energyAccounts[root];
             if (account->solve != desk.energySolve) {
-                const LentEnergy lent = account->lent;
                 *account = kNewAccount;
-                account->lent = lent;
                 account->solve = desk.energySolve;
                 desk.energyRoots.push_back(root);
             }
@@ -352,7 +349,7 @@ void bookSprings(WorldState& world, const TiedGroup& group, Real h) {
 void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h) {
     const std::vector<std::uint32_t>& roots = group.desk.energyRoots;
     const bool hasJoints = !group.joints.empty();
-    if (hasJoints) { noteLent(world, group); }
+    if (hasJoints && world.jointChains.mayAnyLend) { noteLent(world, group); }
     const auto hasGainedAnything = [&](std::uint32_t root) { return hasGained(world.energyAccounts[root]); };
     const double part = world.jointChains.isAnyLoose ? kGainRounding : kJointedGain;
     const auto hasGainedIfTied = [&](std::uint32_t root) {  // not known yet which ones are
@@ -383,7 +380,6 @@ void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h
     };
     if (noneOf(roots, mayHaveGained)) { return; }
     if (!mayRide) { noteOthers(world, group); }
-    if (hasJoints) { giveBackLent(world, group); }
     // What platforms carry gains all the time, and is fed.
     const auto pays = [&](std::uint32_t root) {
         return hasGained(world.energyAccounts[root]) && !world.energyAccounts[root].isFed;

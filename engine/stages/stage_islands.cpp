@@ -10,6 +10,7 @@
 #include "../flight/ground_on_the_way.h"
 #include "../islands/effort_trial.h"
 #include "../modes/modes.h"
+#include "../solve/lent_energy.h"
 #include "../solve/solve_desk.h"
 #include "../state/profile.h"
 #include "step.h"
@@ -246,6 +247,7 @@ void takeBack(WorldState& world, IslandDesk& desk, const Traces& before, FlightS
     }
     for (std::size_t i = 0; i < trial.held.size(); ++i) { world.contacts[fast.sources[i]] = trial.held[i]; }
     for (std::size_t i = 0; i < fast.jointSlots.size(); ++i) { world.joints[fast.jointSlots[i]] = trial.joints[i]; }
+    if (LentEnergy* const lent = lentOf(world, fast.jointSlots)) { *lent = fast.lentAtStart; }
     cutTo(desk.events, before.events);
     cutTo(desk.found, before.found);
     cutTo(scratch.impactPoses, before.poses);

@@ -8,6 +8,7 @@
 #include "chain_passer.h"
 #include "contact.h"
 #include "joint.h"
+#include "lent_energy_state.h"
 #include "slide.h"
 #include "solve_desk.h"
 
@@ -33,6 +34,8 @@ struct AdvancingIsland {
     std::vector<Contact> heldBefore;
     std::vector<std::array<Real, 2>> totals;  ///< by held contact: impulses of the parts before
     std::vector<Joint> jointsBefore;
+    LentEnergy lentAtStart;                        ///< of the step
+    LentEnergy lentBefore;                         ///< before the part
     std::vector<std::uint32_t> nextGroundContact;  ///< by held contact: see dropGhosts
     std::vector<ChainPasser> crossing;             ///< what its members are in at the start of the part, in order
     std::vector<std::uint64_t> chainContacts;      ///< scratch of `letThrough`

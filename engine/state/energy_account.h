@@ -6,13 +6,6 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// What the joints of an island took from it, and may give back (lent_energy.h), J.
-struct LentEnergy {
-    double now = 0;
-    double before = 0;       ///< the last solve
-    std::uint64_t step = 0;  ///< of that
-};
-
 /// What a solve did to an island, J.
 struct EnergyAccount {
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
@@ -21,7 +14,7 @@ struct EnergyAccount {
     double kinetic = 0;       ///< at the end
     double gained = 0;        ///< of kinetic energy, since the start
     double work = 0;          ///< of gravity and forces
-    double returned = 0;      ///< the most that joints may have given back of what they took
+    double returned = 0;      ///< the most that joints may have given back of what opening them took (lent_energy.h)
     double springs = 0;       ///< work of springs: what they held before the solve, less what they hold after it
     double stored = 0;        ///< what they hold at the end
     bool isSprung = false;    ///< these two are known, or what a target gave: both to an eighth or so
@@ -32,7 +25,6 @@ struct EnergyAccount {
     bool isFed = false;     ///< from outside: by belts, kinematic bodies, calls; what it gains is no error
     bool isYanked = false;  ///< a call moved what a joint holds far: its gap is closed at no cost
     bool isJointed = false;
-    bool hasMotors = false;     ///< or what follows targets
     bool isTouching = false;    ///< something; noted only of what may have gained
     std::uint32_t anchors = 0;  ///< joints that tie it to what is not dynamic
     bool isAnchored = false;    ///< one of them, or a gear, does so
@@ -50,7 +42,6 @@ struct EnergyAccount {
     std::uint32_t carrier = kNone;  ///< slot of the kinematic body that turns most
     double led = 0;                 ///< kinetic energy, if all of it went along with them
     std::uint32_t motion = kNone;   ///< of the island, an index
-    LentEnergy lent;                ///< of the solves before, too
 };
 
 /// What a solve did to one body, J: what its island's account grows by. Of the motion of its centre of mass, and of its

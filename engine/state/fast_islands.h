@@ -9,6 +9,7 @@
 #include "clash_work.h"
 #include "contact.h"
 #include "joint.h"
+#include "lent_energy_state.h"
 #include "moving_ground.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -24,10 +25,11 @@ struct TriedContact {
     bool pressedOn = false;
 };
 
-/// Where an island keeps what such a solve changes: index of its first member and joint there.
+/// Where an island keeps what such a solve changes: index of its first member and joint there, and its loan.
 struct TriedPlace {
     std::size_t motion = 0;
     std::size_t hinge = 0;
+    LentEnergy lent{};
 };
 
 /// Islands with something fast in them. Kept for its capacity.

@@ -6,6 +6,7 @@
 #include "../../shapes/real.h"
 #include "../../solver/direct/block_ldlt.h"
 #include "../../solver/graph/island_finder.h"
+#include "lent_energy_state.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -24,6 +25,11 @@ struct JointChain {
     bool isPassive = true;          ///< `JointTie::isPassive` of all
     bool isAdrift = true;           ///< no joint ties it to what is not dynamic, nor pushes from outside
     bool isThin = false;            ///< a large loop, whose factor fills up little (thin_loops.h)
+    // What goes on from step to step (lent_energy.h).
+    bool mayLend = false;        ///< held to something static, by joints without motors, springs, and targets
+    bool lends = false;          ///< scratch of a solve
+    std::uint64_t identity = 0;  ///< of its joints, all of them; only of what may lend
+    LentEnergy lent{};
 
     /// What is not anchored has a tie less than bodies if it is a tree. Two bodies that are tied twice are no ring.
     bool hasLoop() const { return ties > bodies || (anchors == 0 && ties - doubled >= bodies); }
@@ -53,7 +59,9 @@ struct JointChains {
     bool tieSleepers = false;           ///< a joint ties what is awake to what sleeps
     bool isAnyLoose = false;            ///< some chain is passive, and not anchored
     bool isAnyAdrift = false;           ///< `JointChain::isAdrift` of any
+    bool mayAnyLend = false;            ///< `JointChain::mayLend` of any
     std::vector<JointChain> list;       ///< in order of their lowest bodies
+    std::vector<JointChain> before;     ///< scratch: those found the last time
     std::vector<Member> members;        ///< ascending; each awake dynamic body that a joint holds
     IslandFinder finder;                ///< scratch
     std::vector<std::uint32_t> places;  ///< scratch, by slot of the lowest body: in `list`
