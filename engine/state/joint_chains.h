@@ -63,8 +63,8 @@ struct JointChains {
     std::vector<JointChain> list;       ///< in order of their lowest bodies
     std::vector<JointChain> before;     ///< scratch: those found the last time
     std::vector<Member> members;        ///< ascending; each awake dynamic body that a joint holds
-    IslandFinder finder;                ///< scratch
-    std::vector<std::uint32_t> places;  ///< scratch, by slot of the lowest body: in `list`
+    IslandFinder finder;                ///< of their bodies
+    std::vector<std::uint32_t> places;  ///< by slot of the lowest body: in `list`; others are those of before
     ThinLoops thinLoops;                ///< scratch
 
     /// A body wakes, or falls asleep. @param holdingJoints  of the body
