@@ -133,7 +133,8 @@ bool weighContact(WorldState& world, const TouchingPair& pair, const IslandRest&
         const Real gap = std::max(limits.gap * radius, rounding);
         Real overlap = std::max(limits.overlap * radius, rounding);
         if (isFound) {
-            const Real give = giveOfSubStep(kContactCycles, dt / subSteps, contact.normalImpulse[i],
+            const Real cycles = pair.areDynamic() ? kContactCycles : groundCyclesOf(world.settings);
+            const Real give = giveOfSubStep(cycles, dt / subSteps, contact.normalImpulse[i],
                                             responseOf(world, pair, normal, armA, armB));
             overlap = std::max(gap, kMostGive * give);
         }

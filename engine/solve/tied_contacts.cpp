@@ -16,6 +16,7 @@
 #include "../state/profile.h"
 #include "../state/tolerances.h"
 #include "step_change.h"
+#include "strained_bodies.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -51,7 +52,23 @@ TiedContacts::TiedContacts(WorldState& world, const TiedGroup& group, const Step
       scale_(scale),
       dt_(static_cast<Real>(part.dt)),
       closingTime_(static_cast<Real>(world.closingTime)),
-      softness_(softnessOfStep(world, group.effort, kContactCycles, kContactDampingRatio, h, dt_)) {}
+      softness_(softnessOfStep(world, group.effort, kContactCycles, kContactDampingRatio, h, dt_)),
+      groundSoftness_(
+          softnessOfStep(world, group.effort, groundCyclesOf(world.settings), kContactDampingRatio, h, dt_)) {}
+
+/// As the kernels of rows have it, and `softenStrained`.
+Softness TiedContacts::softnessOf(const ContactLink& link) const {
+    const auto& inertias = group_.desk.batch.inertias;
+    const bool isOnGround = inertias[link.slotA].inverseMass == 0 || inertias[link.slotB].inverseMass == 0;
+    return isOnGround && !areStrained(group_.desk, link.slotA, link.slotB) ? groundSoftness_ : softness_;
+}
+
+template <std::size_t kPoints>
+void TiedContacts::softenStrained(WideContact<kPoints>& block, Links links) const {
+    for (std::size_t lane = 0; lane < block.lanes; ++lane) {
+        if (areStrained(group_.desk, links[lane].slotA, links[lane].slotB)) { setSoftness(block, lane, softness_); }
+    }
+}
 
 /// In place: what is written in pieces and copied has to wait for the pieces.
 SWEPT_FORCE_INLINE bool TiedContacts::linkIfTied(ContactLink& link, std::uint32_t source, std::uint32_t bodyA,
@@ -99,7 +116,7 @@ ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
                      pushRatioOf(world_.settings) * contact.extent / closingTime_);
     constraint.slotA = link.slotA;
     constraint.slotB = link.slotB;
-    constraint.softness = softness_;
+    constraint.softness = softnessOf(link);
     constraint.radiusA = contact.radiusA;
     constraint.radiusB = contact.radiusB;
     constraint.source = link.source;
@@ -151,6 +168,7 @@ void TiedContacts::fillBlocks(std::span<WideContact<kPoints>> blocks, Links link
                              .closingTime = closingTime_,
                              .bounceSpeed = bounceSpeed_,
                              .softness = softness_,
+                             .groundSoftness = groundSoftness_,
                              .settled = group_.effort.isSettled};
     ContactSources from;
     for (WideContact<kPoints>& block : blocks) {
@@ -167,6 +185,7 @@ void TiedContacts::fillBlocks(std::span<WideContact<kPoints>> blocks, Links link
         } else {
             contactRowKernels()->fillOne(block, from, terms);
         }
+        if (!group_.desk.grounds.empty()) { softenStrained(block, links); }
         links = links.subspan(kBlockLanes);
     }
 }

@@ -57,6 +57,9 @@ private:
     void takeConstraint(const ContactConstraint& constraint);
     void noteHit(const Contact& contact, const ContactConstraint& constraint, const LanesByPoint& struck, bool began);
     void anchorAhead();
+    Softness softnessOf(const ContactLink& link) const;
+    template <std::size_t kPoints>
+    void softenStrained(WideContact<kPoints>& block, Links links) const;
     Real bounceSpeedOf(const Contact& contact) const;
 
     WorldState& world_;
@@ -67,6 +70,7 @@ private:
     Real closingTime_;                                          ///< s, that or more: within it overlaps are pushed out
     Real bounceSpeed_ = std::numeric_limits<Real>::infinity();  ///< of links with restitution, m/s
     Softness softness_;
+    Softness groundSoftness_;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -44,15 +44,22 @@ inline bool isYanked(const WorldState& world, const Joint& joint) {
     return joint.driven != kNotDriven && world.drivenJoints[joint.driven].isYank;
 }
 
+/// Part of its pull that a joint has; less than 1 if it is torn.
 /// @param errors  of its anchors, lengths, angles and limits
-inline Softness easedOf(const Softness& softness, const WorldState& world, const Joint& joint,
-                        const JointErrors& errors) {
+inline Real pullOf(const WorldState& world, const Joint& joint, const JointErrors& errors) {
     const bool isMouse = joint.type() == JointType::mouse;
     const Real ratio = errorRatio(world, joint, {errors.length, 0});
     Real share =
         ratio > (isMouse ? kTornPull : kMostGap) ? shareOfPull(ratio, isMouse, isTouching(world, joint)) : Real(1);
     if (errors.angle > kMostTwist) { share = std::min(share, kMostTwist / errors.angle); }
-    if (!(share < 1) || (!isMouse && isYanked(world, joint))) { return softness; }
+    return share < 1 && (isMouse || !isYanked(world, joint)) ? share : Real(1);
+}
+
+/// @param errors  as `pullOf`
+inline Softness easedOf(const Softness& softness, const WorldState& world, const Joint& joint,
+                        const JointErrors& errors) {
+    const Real share = pullOf(world, joint, errors);
+    if (!(share < 1)) { return softness; }
     return {share * softness.biasRate, softness.massScale, softness.impulseScale};
 }
 

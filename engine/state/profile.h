@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "../../solver/softness.h"
 #include "../world_settings.h"
 #include "effort.h"
 #include "tolerances.h"
@@ -19,6 +20,11 @@ inline constexpr int kFastRelaxPasses = 1;
 /// mean overlaps of `spinner` and `smash` are half of what they were, and there are fewer contacts to solve. (With it a
 /// ragdoll that `accurate` takes into a wall gains energy, see FastIslands.ARagdollGainsNoEnergyAtAWall.)
 inline constexpr Real kFastPushRatio = 2 * kPushRatio;
+
+/// Of contacts with what is not dynamic: a spring of four times the stiffness, so that what rests there sinks in by a
+/// quarter. Ground gives way to nobody, so nothing passes its push on. What all of a stack presses on lies there, and
+/// four sub-steps leave that deep enough to be seen; `accurate` solves what rests all at once, without any give.
+inline constexpr Real kFastGroundCycles = 2 * kContactCycles;
 
 /// After an impact the next part of an island's step may be so many times as long as the one before.
 inline constexpr double kAccurateGrowth = 4;
@@ -39,6 +45,11 @@ constexpr int relaxPassesOf(const WorldSettings& settings) {
 /// Fastest push out of an overlap: this part of the pair's extent per step.
 constexpr Real pushRatioOf(const WorldSettings& settings) {
     return settings.profile == Profile::accurate ? kPushRatio : kFastPushRatio;
+}
+
+/// Oscillations in a sub-step of contacts with what is not dynamic.
+constexpr Real groundCyclesOf(const WorldSettings& settings) {
+    return settings.profile == Profile::accurate ? kContactCycles : kFastGroundCycles;
 }
 
 constexpr double growthOf(const WorldSettings& settings) {

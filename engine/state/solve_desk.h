@@ -31,6 +31,7 @@ struct alignas(kCacheLine) SolveDesk {
     std::vector<LinkCounts> linkCounts;       ///< scratch, by block of pairs
     std::vector<BodySlot> standing;           ///< slots of the solve that kinematic bodies have
     RawVector<Vec2> localCenters;             ///< of the bodies of the present solve, by their slot there
+    std::vector<std::uint32_t> grounds;       ///< likewise (strained_bodies.h); empty if none is strained
     RawVector<EnergyEntry> energyEntries;     ///< likewise, by place in `bodies`
     std::vector<std::uint32_t> energyRoots;   ///< likewise
     std::vector<IslandMotion> islandMotions;  ///< likewise

@@ -12,12 +12,11 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Of all contacts of a block.
 template <std::size_t kPoints>
-inline void setSoftness(WideContact<kPoints>& block, const Softness& softness) {
-    block.biasRate.fill(softness.biasRate);
-    block.massScale.fill(softness.massScale);
-    block.impulseScale.fill(softness.impulseScale);
+inline void setSoftness(WideContact<kPoints>& block, std::size_t lane, const Softness& softness) {
+    block.biasRate[lane] = softness.biasRate;
+    block.massScale[lane] = softness.massScale;
+    block.impulseScale[lane] = softness.impulseScale;
 }
 
 inline void fillPoint(WideContactPoint& lanes, std::size_t lane, const ContactConstraintPoint& point) {
@@ -50,9 +49,7 @@ inline void fillLane(WideContact<kPoints>& block, std::size_t lane, const Contac
     block.inverseMassB[lane] = b.inverseMass;
     block.inverseInertiaA[lane] = a.inverseInertia;
     block.inverseInertiaB[lane] = b.inverseInertia;
-    block.biasRate[lane] = contact.softness.biasRate;
-    block.massScale[lane] = contact.softness.massScale;
-    block.impulseScale[lane] = contact.softness.impulseScale;
+    setSoftness(block, lane, contact.softness);
     for (std::size_t i = 0; i < kPoints; ++i) { fillPoint(block.points[i], lane, contact.points[i]); }
 }
 

@@ -31,8 +31,9 @@ struct ContactTerms {
     Real pushRatio = 0;    ///< overlap of this part of its extent is pushed out in `closingTime`, at most
     Real closingTime = 0;  ///< s
     Real bounceSpeed = std::numeric_limits<Real>::infinity();  ///< of those with more than `kLivelyRestitution`, m/s
-    Softness softness{};
-    bool settled = false;  ///< `SolverSettings::settled`
+    Softness softness{};                                       ///< between two bodies that can be moved
+    Softness groundSoftness{};                                 ///< of others
+    bool settled = false;                                      ///< `SolverSettings::settled`
 };
 
 /// By point, one bit per lane. Of one point the second is 0.

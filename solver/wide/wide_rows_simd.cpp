@@ -108,6 +108,20 @@ HWY_INLINE std::uint32_t movableOf(const LaneArray& inverseMass, const LaneArray
 }
 
 template <std::size_t kPoints>
+HWY_INLINE void fillSoftness(WideContact<kPoints>& block, std::size_t begin, const ContactTerms& terms) {
+    const Tag tag;
+    const Lanes zero = hn::Zero(tag);
+    const LaneMask isOnGround =
+        hn::Or(hn::Eq(lanesAt(block.inverseMassA, begin), zero), hn::Eq(lanesAt(block.inverseMassB, begin), zero));
+    const auto chosen = [&](Real onGround, Real between) {
+        return hn::IfThenElse(isOnGround, hn::Set(tag, onGround), hn::Set(tag, between));
+    };
+    put(chosen(terms.groundSoftness.biasRate, terms.softness.biasRate), block.biasRate, begin);
+    put(chosen(terms.groundSoftness.massScale, terms.softness.massScale), block.massScale, begin);
+    put(chosen(terms.groundSoftness.impulseScale, terms.softness.impulseScale), block.impulseScale, begin);
+}
+
+template <std::size_t kPoints>
 HWY_INLINE void fillGroup(WideContact<kPoints>& block, std::size_t begin, const ContactSources& from,
                           const ContactTerms& terms) {
     const Tag tag;
@@ -128,6 +142,7 @@ HWY_INLINE void fillGroup(WideContact<kPoints>& block, std::size_t begin, const 
     }
     put(normal.x, block.normalX, begin);
     put(normal.y, block.normalY, begin);
+    fillSoftness(block, begin, terms);
     put(surface.x, block.friction, begin);
     put(surface.y, block.restitution, begin);
     put(surface.z, block.radiusA, begin);
@@ -151,7 +166,6 @@ void fill(WideContact<kPoints>& block, const ContactSources& from, const Contact
     block.movableA = block.movableB = 0;
     block.mostRestitution = 0;
     block.unloaded = {};
-    setSoftness(block, terms.softness);
     for (std::size_t i = 0; i < block.lanes; i += kGroup) { fillGroup(block, i, from, terms); }
     if (block.mostRestitution > 0) {
         block.mostRestitution = 0;

@@ -119,7 +119,7 @@ TEST(Pressed, AlongAWall) {
 /// that moves and takes it along.
 TEST(Pressed, ByALoadThatStandsLosesNoTime) {
     constexpr double kThickness = 0.108;
-    constexpr double kForce = 3000;
+    constexpr double kForce = 9000;
     for (const double speed : {0.0, 0.5, -0.5}) {
         for (const double density : {200.0, 2000.0, 20000.0}) {
             WorldSettings settings = awakeSettings(Profile::fast, 0);

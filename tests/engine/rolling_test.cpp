@@ -119,6 +119,8 @@ BodyId onSlope(World& world, double tilt, const ShapeDef& surface, const Polygon
     return addBody(world, def, polygon, surface);
 }
 
+double subStepOf(Profile profile) { return kStep / (profile == Profile::fast ? 4 : 16); }
+
 /// On slopes up to the tangent c it stays, asleep or not; on steeper ones it rolls as fast as the rest of its weight
 /// lets it.
 TEST(Rolling, HoldsABallOnASlope) {
@@ -140,7 +142,9 @@ TEST(Rolling, HoldsABallOnASlope) {
                 expectAtMost(name + "creeps", length(world.position(ball) - start - moved), 1e-5);
             } else {
                 const double pull = kGravity * (std::sin(tilt) - 0.2 * ratio * std::cos(tilt)) / kInertiaShare;
-                expectAtMost(name + "speed", std::abs(speed / (pull * 3) - 1), ratio > 0.9 ? 0.02 : 2e-3);
+                // As it starts its contact carries nothing yet: for less than half of a sub-step it rolls freely.
+                const double free = kGravity * std::sin(tilt) / kInertiaShare * subStepOf(profile);
+                expectAtMost(name + "speed", std::abs(speed - pull * 3), ratio > 0.9 ? free / 2 : 2e-3 * pull * 3);
             }
         }
     }

@@ -40,6 +40,7 @@ struct FilledBlock {
                  .closingTime = number(0.01, 0.02),
                  .bounceSpeed = number(0.1, 1),
                  .softness = softnessOfSubStep(kContactCycles, kContactDampingRatio, Real(0.004)),
+                 .groundSoftness = softnessOfSubStep(2 * kContactCycles, kContactDampingRatio, Real(0.004)),
                  .settled = seed % 4 == 0};
         const auto lanes = static_cast<std::uint32_t>(seed % 2 == 0 ? kBlockLanes : 2 + seed % (kBlockLanes - 2));
         std::memset(static_cast<void*>(&block), 0xff, sizeof(block));  // of another solve
@@ -98,7 +99,8 @@ struct FilledBlock {
         contact.radiusA = row.radiusA;
         contact.radiusB = row.radiusB;
         if (row.restitution > kLivelyRestitution) { contact.bounceSpeed = terms.bounceSpeed; }
-        contact.softness = terms.softness;
+        const bool isOnGround = inertias[contact.slotA].inverseMass == 0 || inertias[contact.slotB].inverseMass == 0;
+        contact.softness = isOnGround ? terms.groundSoftness : terms.softness;
         contact.count = static_cast<std::int32_t>(kPoints);
         for (std::size_t k = 0; k < kPoints; ++k) {
             ContactConstraintPoint& point = contact.points[k];
