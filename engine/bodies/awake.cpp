@@ -71,6 +71,12 @@ void rouse(WorldState& world, std::uint32_t slot) {
     startResting(world.bodies[slot], world.motions[slot]);
 }
 
+void notePut(Body& body) {
+    body.isPut = true;
+    body.groundNormal = {};
+    body.soughtSteps = 0;
+}
+
 void setInMotion(WorldState& world, std::uint32_t slot, Vec2 velocity, Real angularVelocity) {
     rouse(world, slot);
     BodyMotion& motion = world.motions[slot];

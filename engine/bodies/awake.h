@@ -13,6 +13,9 @@ void wake(WorldState& world, std::uint32_t body);
 /// Likewise, when something happens to a body between steps. What is awake rests anew: if it was about to fall asleep,
 /// it would do so in the very step that shows what comes of it, and hang in the air, or lose a speed it was given.
 void rouse(WorldState& world, std::uint32_t body);
+/// Between steps a body is put elsewhere, or back into the world: it did not move there, and what bore it is gone; what
+/// it stands on now may hold it in the very next step.
+void notePut(Body& body);
 /// Gives a body other velocities, between steps, and rouses it.
 void setInMotion(WorldState& world, std::uint32_t body, Vec2 velocity, Real angularVelocity);
 /// Wakes all that fell asleep; what was made asleep, and nothing woke yet, sleeps on.

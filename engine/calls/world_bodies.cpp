@@ -276,7 +276,7 @@ Status World::setPose(BodyId id, DVec2 position, double angle) {
     motion.angle = angle;
     motion.pose = {position, rotationFromAngle(angle)};
     motion.center = apply(motion.pose, world.bodies[id.index].localCenter);
-    world.bodies[id.index].groundNormal = {};
+    notePut(world.bodies[id.index]);
     if (!world.bodies[id.index].awake) { noteRest(world, id.index); }  // no step does it for what is fixed
     renewProxies(world, id.index);
     return Status::success();

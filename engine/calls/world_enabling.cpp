@@ -63,6 +63,7 @@ Status enable(WorldState& world, std::uint32_t slot) {
     }
     countBody(world, body, -1);
     body.def.enabled = true;
+    notePut(body);
     countBody(world, body, 1);
     switchJoints(world, slot);
     for (const std::uint32_t joint : body.joints) { world.newJoints.push_back(world.joints.idOf(joint)); }

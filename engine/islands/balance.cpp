@@ -234,6 +234,7 @@ Real restSpeedOf(const WorldState& world, Real dt) {
 
 bool isStill(const Body& body, const BodyMotion& motion, Real speed, Real dt) {
     if (!isSlow(body, motion, speed)) { return false; }
+    if (body.isPut) { return true; }
     const double way = lengthAtMost(motion.center - body.startCenter) +
                        std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);
     return way <= static_cast<double>(speed * dt);

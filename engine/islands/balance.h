@@ -40,7 +40,8 @@ Real movedRadius(const WorldState& world, const TouchingPair& pair);
 /// How fast what rests may be, m/s.
 Real restSpeedOf(const WorldState& world, Real dt);
 /// Whether no point of a body was faster than that, at the end of the last step, and none moved farther in it (overlap
-/// is pushed out of without speed). @pre `Body::startCenter` and angle are those of the last step
+/// is pushed out of without speed), unless it was put elsewhere since. @pre `Body::startCenter` and angle are those of
+/// the last step
 bool isStill(const Body& body, const BodyMotion& motion, Real restSpeed, Real dt);
 
 /// Finds out which islands are still and in balance: what acts on each body in this step is, but for `RestLimits`,

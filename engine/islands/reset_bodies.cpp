@@ -27,7 +27,7 @@ SWEPT_FORCE_INLINE void fetchForReset(const WorldState& world, std::span<const s
 void resetBody(WorldState& world, std::uint32_t slot, Real restSpeed, Real dt) {
     Body& body = world.bodies[slot];
     const BodyMotion& motion = world.motions[slot];
-    body.fresh = body.deepContact = body.sunk = false;
+    body.deepContact = body.sunk = false;
     body.bounces = body.rests = body.strikes = body.startled = body.flung = false;
     // What just woke has no bound yet.
     const Real known = world.glances[slot].motion;
@@ -35,6 +35,7 @@ void resetBody(WorldState& world, std::uint32_t slot, Real restSpeed, Real dt) {
     body.fast = body.extent > 0 && bound > kFastRatio * body.extent;
     const bool isAtRest = isStill(body, motion, restSpeed, dt);
     if (!isAtRest) { body.soughtSteps = 0; }
+    body.fresh = body.isPut = false;
     world.traits[slot] = static_cast<BodyTraits>(kIsAwake | (body.isDynamic() ? kIsDynamic : 0) |
                                                  (body.fast ? kIsFast : 0) | (isAtRest ? kIsStill : 0));
     body.startCenter = motion.center;

@@ -51,6 +51,7 @@ struct Body {
 
     bool awake = false;
     bool fresh = true;            ///< was in no step yet: asleep or awake, and as fast, as it was made
+    bool isPut = false;           ///< elsewhere since the last step, or back into the world: it did not move there
     bool touchesDynamic = false;  ///< this step: contact points with a dynamic body
     bool hasContact = false;      ///< this step: contact points with anything solid
     bool deepContact = false;     ///< this step: overlaps something static too far to be swept out of it
