@@ -146,7 +146,9 @@ void DirectContacts::gatherOf(const Part& part, const SolverBatch& batch, Real h
     const std::span<Point> points = pointsOf(part);
     // Among many bodies, most of which are known to press, what carries nothing slides until it is known how much it
     // presses. With limits that are not known the search has no minimum to go to, and took twice the rounds to find
-    // what else carries the load of a brick that is taken out of a wall.
+    // what else carries the load of a brick that is taken out of a wall. Nor is it expected to press: at the brink all
+    // stays as it is guessed, so it was held in the first half of each sub-step and free in the second, and each of
+    // them had a factor of its own.
     const bool isKnown = part.isWide && std::any_of(points.begin(), points.end(), pressed);
     for (Point& contact : points) {
         const ContactConstraint& constraint = *contact.contact;
@@ -159,7 +161,8 @@ void DirectContacts::gatherOf(const Part& part, const SolverBatch& batch, Real h
         const Real closing = -dot(velocityAt(b, point.anchorB) - velocityAt(a, point.anchorA), constraint.normal);
         // What bounces must arrive in the next sub-step with its speed.
         const bool isOut = !useBias && (!(expected > 0) || closing > constraint.bounceSpeed);
-        const bool presses = !isOut && (expected > 0 || (closing >= bias && !(separation > 0)));
+        const bool mayBegin = !isKnown && closing >= bias && !(separation > 0);
+        const bool presses = !isOut && (expected > 0 || mayBegin);
         contact.normal.guess = isOut ? 0 : static_cast<double>(point.normalImpulse);
         contact.tangent.guess = isOut ? 0 : static_cast<double>(point.tangentImpulse);
         contact.normal.impulse = contact.tangent.impulse = 0;

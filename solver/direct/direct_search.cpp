@@ -269,7 +269,8 @@ bool DirectContacts::settle(const Part& part, DirectSystem& system, const Direct
                         change[i][k] = place_[i][k] + share * (change[i][k] - place_[i][k]);
                     }
                 }
-                classify(part, system, false);
+                // Among many bodies rounding alone would let a hundred rows come and go, in a new factor.
+                classify(part, system, part.isWide);
             }
         }
         std::copy(change.begin() + part.nodes.begin, change.begin() + part.nodes.end,

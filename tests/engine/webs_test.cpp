@@ -265,6 +265,22 @@ TEST(Webs, WhatLosesABodyIsSoonFound) {
     expectFound("pile without one of its lowest", bricks(20, 0.5, true), 10);
 }
 
+/// While a brick at the end of the highest row tips over, and all else rests, each step has the same rows in all of its
+/// solves, and one factor. (What lies side by side and carries nothing came and went with each half of a sub-step:
+/// four.)
+TEST(Webs, WhatTipsFromAWallTakesOneFactorAStep) {
+    Structure s = bricks(16, 0.25, false);
+    run(s.world, 30);
+    must(s.world.destroyBody(s.bodies[136]));
+    must(s.world.setVelocity(s.bodies.back(), {}, real(-1e-3)));
+    run(s.world, 3);
+    for (int i = 0; i < 20; ++i) {
+        run(s.world, 1);
+        EXPECT_EQ(s.world.counters().directBodies, s.bodies.size() - 1) << i;
+        EXPECT_EQ(s.world.counters().factorisations, 1U) << i;
+    }
+}
+
 /// Boxes of which the last few, above all others, are pushed to one side.
 Structure stirred(int rows, std::size_t moving) {
     Structure s = pyramid(rows);
