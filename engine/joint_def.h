@@ -83,7 +83,8 @@ struct RevoluteJointDef {
     DVec2 anchor{};
     std::optional<AngleLimits> limits{};
     std::optional<AngularMotor> motor{};
-    std::optional<Spring> spring{};  ///< towards the initial relative angle
+    std::optional<Spring> spring{};
+    Real springTarget = 0;  ///< rad from the initial relative angle: where the spring pulls to
 };
 
 struct LengthLimits {
@@ -110,7 +111,8 @@ struct PrismaticJointDef {
     DVec2 axis{1, 0};  ///< of any length greater than 0
     std::optional<TranslationLimits> limits{};
     std::optional<LinearMotor> motor{};
-    std::optional<Spring> spring{};  ///< towards the initial place
+    std::optional<Spring> spring{};
+    Real springTarget = 0;  ///< metres from the initial place, along the axis: where the spring pulls to
 };
 
 /// A wheel (B) on a suspension: its anchor slides along an axis fixed in A, and it turns freely or by its motor.
@@ -120,8 +122,8 @@ struct WheelJointDef {
     DVec2 axis{0, 1};  ///< of any length greater than 0
     std::optional<TranslationLimits> limits{};
     std::optional<AngularMotor> motor{};
-    std::optional<Spring>
-        spring{};  ///< along the axis, towards the initial place; empty: none, the wheel slides freely
+    std::optional<Spring> spring{};  ///< along the axis; empty: none, the wheel slides freely
+    Real springTarget = 0;           ///< metres from the initial place, along the axis: where the spring pulls to
 };
 
 /// Two bodies as one; where a spring is given, held by that spring. The linear one and the angular one do not know of

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -125,7 +126,11 @@ public:
     /// N at `point` (world), for the next step only, with what was applied before; wakes the body unless told
     /// otherwise. One that depends on positions adds energy unless it is that of half a step ahead (GUIDE.md).
     Status applyForce(BodyId id, Vec2 force, DVec2 point, Wake wake = Wake::yes);
-    Status applyForce(BodyId id, Vec2 force);                           ///< at the centre of mass; wakes the body
+    Status applyForce(BodyId id, Vec2 force);  ///< at the centre of mass; wakes the body
+    /// At the centre of mass. (A `{}` in this place stays a point: the origin.)
+    Status applyForce(BodyId id, Vec2 force, std::same_as<Wake> auto wake) {
+        return applyForce(id, force, centerOfMass(id), wake);
+    }
     Status applyTorque(BodyId id, Real torque, Wake wake = Wake::yes);  ///< N·m, counter-clockwise; likewise
     /// N·s at `point` (world), at once; wakes the body.
     Status applyImpulse(BodyId id, Vec2 impulse, DVec2 point);
@@ -217,6 +222,9 @@ public:
     Status setLengthLimits(JointId id, std::optional<LengthLimits> limits);            ///< distance
     Status setLength(JointId id, Real length);                                         ///< distance: rod, spring
     Status setSpring(JointId id, std::optional<Spring> spring);  ///< revolute, distance, prismatic, wheel, mouse
+    /// Rad or metres from where they were when the joint was made. What it holds is drawn there by the spring, also
+    /// from far away. Errors: `notFinite` and `outOfRange` with "springTarget".
+    Status setSpringTarget(JointId id, Real target);  ///< revolute, prismatic, wheel
     Status setWeldSprings(JointId id, std::optional<Spring> linear, std::optional<Spring> angular);
     Status setTarget(JointId id, DVec2 target);            ///< mouse
     Status setDrive(JointId id, const MotorDrive& drive);  ///< motor

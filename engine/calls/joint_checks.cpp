@@ -26,7 +26,8 @@ Status checkOrder(const std::optional<Limits>& limits) {
 
 template <class Def>
 Status checkGuided(const Def& def) {
-    return firstFault({checkLimits(def.limits), checkMotor(def.motor), checkSpring(def.spring)});
+    return firstFault({checkLimits(def.limits), checkMotor(def.motor), checkSpring(def.spring),
+                       checkNumber(static_cast<double>(def.springTarget), "springTarget")});
 }
 
 }  // namespace

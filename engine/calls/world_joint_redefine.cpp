@@ -71,7 +71,7 @@ struct PartSetter {
     bool operator()(RevoluteJointDef& before, const RevoluteJointDef& now) const {
         if (now.limits != before.limits) { (void)face.setAngleLimits(id, now.limits); }
         if (now.motor != before.motor) { (void)face.setAngularMotor(id, now.motor); }
-        setSpring(before, now);
+        setAimedSpring(before, now);
         return false;
     }
     bool operator()(DistanceJointDef& before, const DistanceJointDef& now) const {
@@ -88,13 +88,13 @@ struct PartSetter {
     bool operator()(PrismaticJointDef& before, const PrismaticJointDef& now) const {
         if (now.limits != before.limits) { (void)face.setTranslationLimits(id, now.limits); }
         if (now.motor != before.motor) { (void)face.setLinearMotor(id, now.motor); }
-        setSpring(before, now);
+        setAimedSpring(before, now);
         return false;
     }
     bool operator()(WheelJointDef& before, const WheelJointDef& now) const {
         if (now.limits != before.limits) { (void)face.setTranslationLimits(id, now.limits); }
         if (now.motor != before.motor) { (void)face.setAngularMotor(id, now.motor); }
-        setSpring(before, now);
+        setAimedSpring(before, now);
         return false;
     }
     bool operator()(WeldJointDef& before, const WeldJointDef& now) const {
@@ -125,6 +125,11 @@ private:
     template <class Def>
     void setSpring(const Def& before, const Def& now) const {
         if (now.spring != before.spring) { (void)face.setSpring(id, now.spring); }
+    }
+    template <class Def>
+    void setAimedSpring(const Def& before, const Def& now) const {
+        setSpring(before, now);
+        if (now.springTarget != before.springTarget) { (void)face.setSpringTarget(id, now.springTarget); }
     }
 };
 

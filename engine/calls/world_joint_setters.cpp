@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include "../bodies/awake.h"
 #include "../solve/driven_joints.h"
@@ -145,6 +146,25 @@ Status World::setSpring(JointId id, std::optional<Spring> spring) {
         }
         return false;
     });
+}
+
+Status World::setSpringTarget(JointId id, Real target) {
+    DrivenMove move;
+    bool isAngle = false;
+    const Status status =
+        change(*state_, id, checkNumber(static_cast<double>(target), "springTarget"), [&](auto& part) {
+            if constexpr (requires { part.def.springTarget; }) {
+                isAngle = std::is_same_v<std::remove_cvref_t<decltype(part)>, HingePart>;
+                move.farthest = std::fabs(target - part.def.springTarget);
+                part.def.springTarget = target;
+                return true;
+            }
+            return false;
+        });
+    if (!status.ok()) { return status; }
+    if (isAngle) { move.farthest *= widestRadius(*state_, id); }
+    noteDriven(*state_, id, move);
+    return status;
 }
 
 Status World::setWeldSprings(JointId id, std::optional<Spring> linear, std::optional<Spring> angular) {

@@ -20,13 +20,13 @@ namespace {
 /// Part of the way to its pose that a motor joint covers in a step, as far as its force allows.
 constexpr Real kApproachRatio = Real(0.3);
 
-template <class Limits>
-void fillLimits(FreedomParts& parts, const std::optional<Limits>& limits) {
-    parts.hasLimits = limits.has_value();
+template <class Def>
+void fillLimits(FreedomParts& parts, const Def& def) {
+    parts.hasLimits = def.limits.has_value();
     parts.isGliding = false;
-    if (!limits) { return; }
-    parts.lower = limits->lower;
-    parts.upper = limits->upper;
+    if (!def.limits) { return; }
+    parts.lower = def.limits->lower - springTargetOf(def);
+    parts.upper = def.limits->upper - springTargetOf(def);
 }
 void fillSpring(FreedomParts& parts, const std::optional<Spring>& spring, Real h) {
     parts.hasSpring = spring.has_value();
@@ -40,7 +40,7 @@ void fillMotor(Parts& parts, const std::optional<Motor>& motor, Real maxImpulse)
     if (motor) { parts.motorSpeed = motor->speed; }
 }
 void fillFreedom(FreedomParts& parts, const RevoluteJointDef& def, Real h) {
-    fillLimits(parts, def.limits);
+    fillLimits(parts, def);
     fillMotor(parts, def.motor, h * (def.motor ? def.motor->maxTorque : Real(0)));
     fillSpring(parts, def.spring, h);
 }
@@ -73,13 +73,18 @@ struct ConstraintFiller {
     void fillSpring(FreedomParts& parts, const std::optional<Spring>& spring) const {
         swept::fillSpring(parts, spring, h);
     }
+    /// Any point of its axis may be A's anchor: forces act at that of B. @pre the axis is filled in
+    template <class Constraint, class Def>
+    void shiftToTarget(Constraint& constraint, const Def& def) const {
+        if (const Real target = springTargetOf(def); target != 0) { constraint.anchorA += target * constraint.axis; }
+    }
     template <class Parts, class Motor>
     void fillMotor(Parts& parts, const std::optional<Motor>& motor, Real strength) const {
         swept::fillMotor(parts, motor, h * strength);
     }
 
     void operator()(RevoluteConstraint& constraint, const RevoluteJointDef& def) const {
-        constraint.baseAngle = baseAngle();
+        constraint.baseAngle = baseAngle() - springTargetOf(def);
         fillFreedom(constraint, def, h);
         endAtLimits(constraint, constraint.baseAngle, dt);
     }
@@ -98,14 +103,16 @@ struct ConstraintFiller {
     void operator()(PrismaticConstraint& constraint, const PrismaticJointDef& def) const {
         constraint.axis = axisOf(world, joint);
         constraint.baseAngle = baseAngle();
-        fillLimits(constraint, def.limits);
+        shiftToTarget(constraint, def);
+        fillLimits(constraint, def);
         fillMotor(constraint, def.motor, def.motor ? def.motor->maxForce : Real(0));
         fillSpring(constraint, def.spring);
-        endAtLimits(constraint, translationOf(world, joint), dt);
+        endAtLimits(constraint, translationOf(world, joint) - springTargetOf(def), dt);
     }
     void operator()(WheelConstraint& constraint, const WheelJointDef& def) const {
         constraint.axis = axisOf(world, joint);
-        fillLimits(constraint.suspension, def.limits);
+        shiftToTarget(constraint, def);
+        fillLimits(constraint.suspension, def);
         fillMotor(constraint, def.motor, def.motor ? def.motor->maxTorque : Real(0));
         constraint.suspension.hasSpring = def.spring.has_value();
         if (def.spring) { constraint.spring = wheelSpringOf(world, joint, *def.spring, h); }

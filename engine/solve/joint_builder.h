@@ -11,7 +11,7 @@ namespace swept::inline SWEPT_PRECISION {
 void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t source, Real h, Real dt, Real left);
 
 /// The same of hinges, one by one (tied_hinges.h): the whole constraint, or what it has beside its point.
-/// @param angle  of the joint now, rad
+/// @param angle  of the joint now, from where its spring pulls to, rad
 RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source, Real h, Real dt, Real left);
 FreedomParts hingeParts(const Joint& joint, Real angle, Real h, Real dt);
 

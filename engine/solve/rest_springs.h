@@ -16,6 +16,13 @@ TurningSpring sliderSpringOf(const WorldState& world, const Joint& joint, const 
 PointSpring pointSpringOf(const WorldState& world, const Joint& joint, const Spring& spring, Real h, bool isAngleHeld,
                           Rotation turnOfA);
 
+/// Where the spring of a hinge, slider or wheel pulls to, rad or metres. Joints are solved in coordinates in which that
+/// is 0.
+template <class Def>
+Real springTargetOf(const Def& def) {
+    return def.spring ? def.springTarget : Real(0);
+}
+
 /// Of what has its hertz with whatever it moves.
 SpringGains gainsOf(const Spring& spring, Real h);
 /// What has its hertz with that mass, or moment of inertia.

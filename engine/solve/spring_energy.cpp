@@ -60,14 +60,17 @@ struct Reader {
     double operator()(const JointPart<WheelJointDef, WheelConstraint>& part) const {
         if (!part.def.spring) { return 0; }
         const TurningSpring spring = wheelSpringOf(world, joint, *part.def.spring, h);
-        return alongAxis(spring.stiffness);
+        return alongAxis(spring.stiffness, part.def.springTarget);
     }
     double operator()(const JointPart<PrismaticJointDef, PrismaticConstraint>& part) const {
-        return part.def.spring ? alongAxis(sliderSpringOf(world, joint, *part.def.spring, h).stiffness) : 0;
+        if (!part.def.spring) { return 0; }
+        return alongAxis(sliderSpringOf(world, joint, *part.def.spring, h).stiffness, part.def.springTarget);
     }
-    double operator()(const HingePart& part) const { return part.def.spring ? ofAngle(*part.def.spring, true) : 0; }
+    double operator()(const HingePart& part) const {
+        return part.def.spring ? ofAngle(*part.def.spring, part.def.springTarget, true) : 0;
+    }
     double operator()(const JointPart<WeldJointDef, WeldConstraint>& part) const {
-        double sum = part.def.angularSpring ? ofAngle(*part.def.angularSpring, !part.def.linearSpring) : 0;
+        double sum = part.def.angularSpring ? ofAngle(*part.def.angularSpring, 0, !part.def.linearSpring) : 0;
         if (part.def.linearSpring) {
             const Ends ends(world, joint, a, b);
             const PointMatrix stiffness =
@@ -84,13 +87,13 @@ struct Reader {
     }
 
 private:
-    double alongAxis(Real stiffness) const {
+    double alongAxis(Real stiffness, Real target) const {
         const Ends ends(world, joint, a, b);
         const Vec2 axis = rotate(ends.motionA.pose.rotation, joint.localAxis);
-        return springEnergy(stiffness, dot(axis, ends.gap), dot(axis, ends.speedInA()), h);
+        return springEnergy(stiffness, dot(axis, ends.gap) - target, dot(axis, ends.speedInA()), h);
     }
     /// @param isHeld  whether the point is
-    double ofAngle(const Spring& spring, bool isHeld) const {
+    double ofAngle(const Spring& spring, Real target, bool isHeld) const {
         const Ends ends(world, joint, a, b);
         const BodyInertia ofA = inertiaOf(world, joint.bodyA);
         const BodyInertia ofB = inertiaOf(world, joint.bodyB);
@@ -101,7 +104,7 @@ private:
         const Real alone = turn > 0 ? 1 / turn : Real(0);
         const Real mass = isHeld ? spinOf(pin, pair, 0).mass : alone;
         return springEnergy(turningSpring(spring, h, mass).stiffness,
-                            static_cast<Real>(b.angle - a.angle - joint.referenceAngle), ends.spin(), h);
+                            static_cast<Real>(b.angle - a.angle - joint.referenceAngle) - target, ends.spin(), h);
     }
 };
 

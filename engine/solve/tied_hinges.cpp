@@ -5,6 +5,7 @@
 #include "joint_builder.h"
 #include "joint_rest.h"
 #include "joint_results.h"
+#include "rest_springs.h"
 #include "torn_joints.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -80,7 +81,8 @@ void TiedHinges::fillLane(WideRevolute& block, std::size_t lane, const HingeLink
     }
     fillHead(block, lane, head, batch.inertias[link.slotA], batch.inertias[link.slotB]);
     if (!block.parts.any()) { return; }
-    const auto angle = static_cast<Real>(angleOf(world_, joint));
+    const RevoluteJointDef& def = std::get_if<HingePart>(&joint.parts)->def;
+    const Real angle = static_cast<Real>(angleOf(world_, joint)) - springTargetOf(def);
     fillParts(block, lane, hingeParts(joint, angle, h_, dt_), angle);
 }
 

@@ -281,7 +281,7 @@ TEST(Sleep, ForcesThatDoNotWakeActOnWhatWakesBeforeTheStep) {
         const BodyId ball = addBody(world, dynamicAt({0, 5}), circle(0.5));
         runFor(world, 3);
         ASSERT_FALSE(world.isAwake(ball));
-        const auto pull = [&] { must(world.applyForce(ball, vec(0, -3), world.centerOfMass(ball), Wake::no)); };
+        const auto pull = [&] { must(world.applyForce(ball, vec(0, -3), Wake::no)); };
         if (pullsFirst) { pull(); }
         must(world.applyForce(ball, vec(1, 0)));
         if (!pullsFirst) { pull(); }
@@ -292,6 +292,15 @@ TEST(Sleep, ForcesThatDoNotWakeActOnWhatWakesBeforeTheStep) {
         EXPECT_EQ(world.velocity(ball), velocities[pullsFirst ? 1 : 0]) << "a force acts for one step";
     }
     EXPECT_EQ(velocities[0], velocities[1]);
+}
+
+/// An empty third argument is a point, not a way to wake.
+TEST(Sleep, ForcesAtTheOriginTurnWhatIsBeside) {
+    World world = makeWorld(0);
+    const BodyId ball = addBody(world, dynamicAt({0, 5}), circle(0.5));
+    must(world.applyForce(ball, vec(1, 0), {}));
+    must(world.step(kStep));
+    EXPECT_GT(world.angularVelocity(ball), 0);
 }
 
 /// However slowly a force moves what touches nothing, it moves on.
@@ -305,7 +314,7 @@ TEST(Sleep, WhatAForceMovesInTheAirStaysAwake) {
         const BodyId ball = addBody(world, def, circle(0.5));
         for (int i = 0; i < 1200; ++i) {
             const Vec2 force = vec(0.0015 * world.mass(ball), 0);
-            must(world.applyForce(ball, force, world.centerOfMass(ball), wake));
+            must(world.applyForce(ball, force, wake));
             must(world.step(kStep));
         }
         EXPECT_NEAR(world.position(ball).x, 0.0285, 1e-4);

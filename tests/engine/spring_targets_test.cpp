@@ -1,0 +1,219 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "joint_support.h"
+
+/// Springs of hinges, sliders and wheels that pull to another place than the one at which the joint was made.
+
+namespace swept::test {
+namespace {
+
+enum class Kind : std::uint8_t { hinge, slider, wheel };
+constexpr Kind kKinds[] = {Kind::hinge, Kind::slider, Kind::wheel};
+
+const DVec2 kAnchor{0.6, 0.1};
+const DVec2 kAxis{0.8, 0.6};
+
+/// Two bodies on a joint, the first one fixed unless told otherwise. @param placed  of B, along the joint: where it is
+/// as the joint is made
+struct Tied {
+    Tied(Kind given, const WorldSettings& settings, const Spring& spring, double placed, double target,
+         std::optional<AngleLimits> limits, bool isFree)
+        : kind(given), world(makeWorld(settings)) {
+        a = addBody(world, bodyAt(isFree ? BodyType::dynamic : BodyType::fixed, {}), box(0.3, 0.2));
+        const bool turns = kind == Kind::hinge;
+        const DVec2 place = turns ? kAnchor + turned(kCenter - kAnchor, placed) : kCenter + placed * kAxis;
+        BodyDef def = bodyAt(BodyType::dynamic, place, turns ? placed : 0);
+        b = addBody(world, def, box(0.3, 0.25));
+        const DVec2 anchor = turns ? kAnchor : kAnchor + placed * kAxis;
+        if (turns) {
+            const RevoluteJointDef hinge{.base = between(a, b),
+                                         .anchor = anchor,
+                                         .limits = limits,
+                                         .spring = spring,
+                                         .springTarget = real(target)};
+            joint = must(world.createJoint(hinge));
+            return;
+        }
+        std::optional<TranslationLimits> room;
+        if (limits) { room = TranslationLimits{limits->lower, limits->upper}; }
+        if (kind == Kind::slider) {
+            PrismaticJointDef slider{.base = between(a, b), .anchor = anchor, .axis = kAxis, .limits = room};
+            slider.spring = spring;
+            slider.springTarget = real(target);
+            joint = must(world.createJoint(slider));
+        } else {
+            WheelJointDef wheel{.base = between(a, b), .anchor = anchor, .axis = kAxis, .limits = room};
+            wheel.spring = spring;
+            wheel.springTarget = real(target);
+            joint = must(world.createJoint(wheel));
+        }
+    }
+
+    double place() const {
+        return kind == Kind::hinge ? world.jointAngle(joint) : static_cast<double>(world.jointTranslation(joint));
+    }
+
+    static constexpr DVec2 kCenter{1.2, 0};
+    Kind kind;
+    World world;
+    BodyId a;
+    BodyId b;
+    JointId joint;
+};
+
+std::string nameOf(Kind kind, Profile profile, bool isFree) {
+    return "kind " + std::to_string(static_cast<int>(kind)) + ' ' + profileName(profile) + (isFree ? " free" : "");
+}
+
+/// One that was made where its spring pulls to, and put back from there, moves alike.
+void expectAsIfMadeThere(Kind kind, Profile profile, bool isFree) {
+    const std::string name = nameOf(kind, profile, isFree);
+    const WorldSettings settings = awakeSettings(profile, isFree ? 0 : kGravity);
+    const Spring spring{2, real(0.3)};
+    const double target = 0.5;
+    const AngleLimits limits{real(-0.75), real(0.625)};
+    const AngleLimits fromTarget{limits.lower - real(target), limits.upper - real(target)};
+    Tied aimed(kind, settings, spring, 0, target, limits, isFree);
+    Tied made(kind, settings, spring, target, 0, fromTarget, isFree);
+    must(made.world.setPose(made.b, Tied::kCenter, 0));
+    double farthest = 0;
+    for (int i = 0; i < 120; ++i) {
+        must(aimed.world.step(kStep));
+        must(made.world.step(kStep));
+        farthest = std::max(farthest, length(aimed.world.position(aimed.b) - made.world.position(made.b)));
+        farthest = std::max(farthest, std::abs(aimed.world.angle(aimed.b) - made.world.angle(made.b)));
+    }
+    expectAtMost(name, farthest, 1e-4);
+    expectAtMost(name + " place", std::abs(aimed.place() - made.place() - target), 1e-4);
+    if (isFree) { expectAtMost(name + " rest", std::abs(aimed.place() - target), 0.05); }
+}
+
+TEST(SpringTargets, AreAsIfTheJointHadBeenMadeThere) {
+    for (const Profile profile : kProfiles) {
+        for (const Kind kind : kKinds) {
+            expectAsIfMadeThere(kind, profile, false);
+            // That of a wheel has its hertz with the arms that its free bodies have as the joint is made.
+            if (kind != Kind::wheel) { expectAsIfMadeThere(kind, profile, true); }
+        }
+    }
+}
+
+/// A target that jumps is work, and from then on nothing is gained or lost: the spring swings as far beyond it.
+TEST(SpringTargets, JumpsLetUndampedSpringsSwing) {
+    for (const Profile profile : kProfiles) {
+        for (const Kind kind : kKinds) {
+            const std::string name = nameOf(kind, profile, false);
+            Tied tied(kind, awakeSettings(profile, 0), {1, 0}, 0, 0, std::nullopt, false);
+            run(tied.world, 10);
+            expectAtMost(name + " before", std::abs(tied.place()), 1e-6);
+            must(tied.world.setSpringTarget(tied.joint, real(0.3)));
+            double farthest = 0;
+            double back = 1;
+            for (int i = 0; i < 600; ++i) {
+                must(tied.world.step(kStep));
+                farthest = std::max(farthest, tied.place());
+                if (i > 300) { back = std::min(back, tied.place()); }
+            }
+            expectAtMost(name + " farthest", std::abs(farthest - 0.6), 0.012);
+            expectAtMost(name + " back", std::abs(back), 0.012);
+        }
+    }
+}
+
+/// As many as fill blocks of the wide kernels, each with another target, beyond the limits of some.
+TEST(SpringTargets, OfManyAtOnce) {
+    for (const Profile profile : kProfiles) {
+        for (const Kind kind : kKinds) {
+            World world = makeWorld(profile, 0);
+            std::vector<JointId> joints;
+            std::vector<double> wanted;
+            for (int i = 0; i < 40; ++i) {
+                const DVec2 place{4.0 * i, 0};
+                const BodyId a = addBody(world, dynamicAt(place), box(0.5, 0.5));
+                const BodyId b = addBody(world, dynamicAt(place + DVec2{1.5, 0}), box(0.4, 0.3));
+                const double target = -0.6 + 0.03 * i;
+                wanted.push_back(std::min(target, 0.375));
+                const Spring spring{2, 1};
+                if (kind == Kind::hinge) {
+                    RevoluteJointDef def{.base = between(a, b), .anchor = place + DVec2{0.75, 0}, .spring = spring};
+                    def.limits = AngleLimits{-1, real(0.375)};
+                    def.springTarget = real(target);
+                    joints.push_back(must(world.createJoint(def)));
+                } else if (kind == Kind::slider) {
+                    PrismaticJointDef def{.base = between(a, b), .anchor = place, .axis = {0.1, 1}, .spring = spring};
+                    def.limits = TranslationLimits{-1, real(0.375)};
+                    def.springTarget = real(target);
+                    joints.push_back(must(world.createJoint(def)));
+                } else {
+                    WheelJointDef def{.base = between(a, b), .anchor = place + DVec2{1.5, 0}, .axis = {0.1, 1}};
+                    def.limits = TranslationLimits{-1, real(0.375)};
+                    def.spring = spring;
+                    def.springTarget = real(target);
+                    joints.push_back(must(world.createJoint(def)));
+                }
+            }
+            runFor(world, 4);
+            double off = 0;
+            for (std::size_t i = 0; i < joints.size(); ++i) {
+                const double place = kind == Kind::hinge ? world.jointAngle(joints[i])
+                                                         : static_cast<double>(world.jointTranslation(joints[i]));
+                off = std::max(off, std::abs(place - wanted[i]));
+            }
+            expectAtMost(nameOf(kind, profile, true), off, 0.003);
+        }
+    }
+}
+
+TEST(SpringTargets, AreSetReadAndRefused) {
+    Tied tied(Kind::slider, {}, {2, 1}, 0, 0.25, std::nullopt, false);
+    const auto targetNow = [&] { return std::get<PrismaticJointDef>(tied.world.definition(tied.joint)).springTarget; };
+    EXPECT_EQ(targetNow(), real(0.25));
+    runFor(tied.world, 20);
+    EXPECT_FALSE(tied.world.isAwake(tied.b));
+    must(tied.world.setSpringTarget(tied.joint, real(0.5)));
+    EXPECT_TRUE(tied.world.isAwake(tied.b));
+    EXPECT_EQ(targetNow(), real(0.5));
+
+    World other = tied.world;
+    auto def = std::get<PrismaticJointDef>(tied.world.definition(tied.joint));
+    def.springTarget = real(-0.5);
+    must(tied.world.redefine(tied.joint, def));
+    must(other.setSpringTarget(tied.joint, real(-0.5)));
+    run(tied.world, 30);
+    run(other, 30);
+    EXPECT_EQ(tied.world.stateHash(), other.stateHash());
+
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    EXPECT_EQ(tied.world.setSpringTarget(tied.joint, nan).code, StatusCode::notFinite);
+    EXPECT_STREQ(tied.world.setSpringTarget(tied.joint, nan).field, "springTarget");
+    def.springTarget = std::numeric_limits<Real>::max();
+    EXPECT_EQ(tied.world.redefine(tied.joint, def).code, StatusCode::outOfRange);
+    EXPECT_EQ(tied.world.createJoint(def).status().code, StatusCode::outOfRange);
+    const JointId rod =
+        must(tied.world.createJoint(DistanceJointDef{.base = between(tied.a, tied.b), .anchorB = {1.2, 0}}));
+    EXPECT_EQ(tied.world.setSpringTarget(rod, 1).code, StatusCode::wrongJointType);
+    EXPECT_EQ(tied.world.setSpringTarget({}, 1).code, StatusCode::staleId);
+    EXPECT_EQ(targetNow(), real(-0.5));
+}
+
+/// Without a spring it does nothing.
+TEST(SpringTargets, WithoutASpringAreNone) {
+    for (const Kind kind : kKinds) {
+        Tied with(kind, {}, {2, 1}, 0, 0.25, AngleLimits{real(-0.5), real(0.5)}, false);
+        Tied without(kind, {}, {2, 1}, 0, 0, AngleLimits{real(-0.5), real(0.5)}, false);
+        must(with.world.setSpring(with.joint, std::nullopt));
+        must(without.world.setSpring(without.joint, std::nullopt));
+        run(with.world, 60);
+        run(without.world, 60);
+        EXPECT_EQ(with.world.stateHash(), without.world.stateHash());
+    }
+}
+
+}  // namespace
+}  // namespace swept::test
