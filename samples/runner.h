@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -35,6 +36,8 @@ struct RunnerOptions {
     bool measure = false;         ///< deepest penetration, joint error and energies for the report
     bool ways = false;            ///< `Frame::ways`, `hits` and `work`: what happened within the last step
     TaskSystem* tasks = nullptr;  ///< of our world; null: the calling thread. Must outlive the runner
+    /// The report tells what happens after so many steps; if a run does not come so far, all of it.
+    std::int64_t reportFrom = 0;
 };
 
 /// Builds our world from a scene that `validateScene` accepts.

@@ -20,7 +20,7 @@ std::optional<SceneError> sceneFromJson(const Json& value, SceneDescription& sce
 Json sceneToJson(const SceneDescription& scene);
 
 /// Applies one `--set`. Objects missing on the way are made (an omitted "settings" is one full of defaults); elements
-/// of arrays must exist, or be the one behind the last ("-" or its index).
+/// of arrays must exist, or be the one behind the last ("-" or its index); of bodies and joints, names do for indices.
 /// @param underflows  those of the value are added
 /// @return nothing, or why the pointer or the value cannot be used (`file` empty).
 std::optional<SceneError> applyOverride(Json& document, const Override& change, std::vector<JsonUnderflow>& underflows);

@@ -99,6 +99,14 @@ std::string_view nearestName(std::string_view word, std::span<const std::string_
     return nearest;
 }
 
+std::string shortSuggestion(std::string_view word, const std::vector<std::string>& names) {
+    constexpr std::size_t kMostNames = 8;  // in one line
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    if (known.size() <= kMostNames || !nearestName(word, known).empty()) { return suggestion(word, known); }
+    return suggestion(word, std::span(known).first(kMostNames)) + " and " + std::to_string(known.size() - kMostNames) +
+           " more";
+}
+
 std::string suggestion(std::string_view word, std::span<const std::string_view> names) {
     const std::string_view nearest = nearestName(word, names);
     if (!nearest.empty()) { return "; did you mean " + inQuotes(nearest) + "?"; }

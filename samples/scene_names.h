@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "scene_description.h"
 
@@ -39,6 +40,9 @@ std::string_view nearestName(std::string_view word, std::span<const std::string_
 
 /// `; did you mean "friction"?`, or, when nothing is near, `; known here: …`.
 std::string suggestion(std::string_view word, std::span<const std::string_view> names);
+
+/// The same for names of a user's own: of many, only the first few are listed.
+std::string shortSuggestion(std::string_view word, const std::vector<std::string>& names);
 
 /// The shortest decimal that reads back as the same double; `nan`, `inf` and `-inf` as such.
 std::string shortestNumber(double value);

@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <charconv>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scene_json.h"
@@ -8,7 +11,7 @@
 namespace swept {
 namespace {
 
-enum class Step : std::uint8_t { ok, notAnIndex, pastTheEnd, notAContainer, notThere };
+enum class Step : std::uint8_t { ok, notAnIndex, notAName, severalOfThatName, pastTheEnd, notAContainer, notThere };
 
 // RFC 6901: "0", or digits that do not start with 0.
 bool parseIndex(const std::string& token, std::size_t& index) {
@@ -31,9 +34,36 @@ bool unescape(std::string_view escaped, std::string& token) {
     return true;
 }
 
+// Of the scene's bodies or joints, as `bodyName` and `jointName` say; empty: it is of another kind.
+std::vector<std::string> namesIn(const Json& document, const Json& array) {
+    constexpr std::pair<const char*, const char*> kNamed[] = {{"bodies", "body"}, {"joints", "joint"}};
+    std::vector<std::string> names;
+    for (const auto& [member, kind] : kNamed) {
+        if (!document.contains(member) || &document[member] != &array) { continue; }
+        for (const Json& element : array) {
+            const bool hasName = element.is_object() && element.contains("name") && element["name"].is_string();
+            names.push_back(hasName ? element["name"].get<std::string>() : kind + std::to_string(names.size()));
+        }
+    }
+    return names;
+}
+
+// An element of an array: by index, or by name in the arrays whose elements have one.
+Step findElement(const Json& document, const Json& array, const std::string& token, std::size_t& index) {
+    index = array.size();
+    if (token == "-" || parseIndex(token, index)) { return Step::ok; }
+    const std::vector<std::string> names = namesIn(document, array);
+    if (names.empty()) { return Step::notAnIndex; }
+    const auto found = std::find(names.begin(), names.end(), token);
+    if (found == names.end()) { return Step::notAName; }
+    index = static_cast<std::size_t>(found - names.begin());
+    return std::count(found, names.end(), token) == 1 ? Step::ok : Step::severalOfThatName;
+}
+
 // Goes down one token. Missing members of objects are made, and objects to hold them; the element behind the last of an
-// array only as the target, and arrays not at all: what else would be in them?
-Step descend(Json*& at, const std::string& token, bool isLast) {
+// array only as the target, and arrays not at all: what else would be in them? The token of an element becomes its
+// index.
+Step descend(const Json& document, Json*& at, std::string& token, bool isLast) {
     std::size_t index = 0;
     if (at->is_null()) {
         if (token == "-" || parseIndex(token, index)) { return Step::notThere; }
@@ -44,16 +74,22 @@ Step descend(Json*& at, const std::string& token, bool isLast) {
         return Step::ok;
     }
     if (!at->is_array()) { return Step::notAContainer; }
-    index = at->size();
-    if (token != "-" && !parseIndex(token, index)) { return Step::notAnIndex; }
+    const Step found = findElement(document, *at, token, index);
+    if (found != Step::ok) { return found; }
     if (index > at->size() || (index == at->size() && !isLast)) { return Step::pastTheEnd; }
     if (index == at->size()) { at->push_back(nullptr); }
+    token = std::to_string(index);
     at = &(*at)[index];
     return Step::ok;
 }
 
-std::string reasonFor(Step step, const Json& at, const std::string& token) {
+std::string reasonFor(Step step, const Json& document, const Json& at, const std::string& token) {
     switch (step) {
+        case Step::notAName:
+            return inQuotes(token) + " is neither an index nor the name of one of them" +
+                   shortSuggestion(token, namesIn(document, at));
+        case Step::severalOfThatName:
+            return "there are several with the name " + inQuotes(token);
         case Step::notAnIndex:
             return inQuotes(token) + " is not the index of an array element";
         case Step::pastTheEnd:
@@ -91,18 +127,20 @@ std::optional<SceneError> applyOverride(Json& document, const Override& change,
         return fail("not a JSON value: " + where + parsed.error->reason);
     }
     Json* at = &document;
+    std::string reached;  // the same pointer, as errors of a scene have it: by indices alone
     for (std::size_t start = 1; start <= pointer.size();) {
         const std::size_t end = std::min(pointer.find('/', start), pointer.size());
         std::string token;
         if (!unescape(std::string_view(pointer).substr(start, end - start), token)) {
             return fail("not a JSON pointer: ~ must be followed by 0 or 1");
         }
-        const Step step = descend(at, token, end == pointer.size());
-        if (step != Step::ok) { return fail(reasonFor(step, *at, token)); }
+        const Step step = descend(document, at, token, end == pointer.size());
+        if (step != Step::ok) { return fail(reasonFor(step, document, *at, token)); }
+        reached += '/' + escapedToken(token);
         start = end + 1;
     }
     for (const JsonUnderflow& inside : parsed.underflows) {
-        underflows.push_back({pointer + inside.where, inside.number});
+        underflows.push_back({reached + inside.where, inside.number});
     }
     *at = std::move(parsed.value);
     return std::nullopt;

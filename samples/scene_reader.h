@@ -28,7 +28,7 @@ struct SceneResult {
 
 /// A JSON pointer and a JSON value, as given by `--set /settings/dt=0.01`; applied before validation. Objects missing
 /// on the way are made (an omitted "settings" is one full of defaults); elements of arrays must exist, or be the next
-/// one.
+/// one. Bodies and joints go by their names, too ("/bodies/ball/angle"), unless those read as an index.
 using Override = std::pair<std::string, std::string>;
 
 /// Strict: unknown and duplicate keys, wrong types, numbers that overflow and everything `validateScene` refuses are

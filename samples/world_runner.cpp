@@ -58,17 +58,9 @@ class WorldRunner final : public Runner {
 public:
     WorldRunner(const SceneDescription& scene, const RunnerOptions& options, SceneWorld built)
         : scene_(scene), options_(options), built_(std::move(built)) {
-        lost_.resize(scene_.bodies.size());
         built_.world.setTaskSystem(options_.tasks);
-        const Totals totals = this->totals();
-        report_.startEnergy = totals.energy;
-        report_.startMomentum = totals.momentum;
-        report_.startAngularMomentum = totals.angularMomentum;
-        if (options_.measure) {
-            touching_.emplace(scene_, built_);
-            measureOverlaps(touching_->all(false));
-            measureJoints();
-        }
+        if (options_.measure) { touching_.emplace(scene_, built_); }
+        beginReport();
     }
 
     bool step() override {
@@ -86,6 +78,7 @@ public:
             measureOverlaps(touching_->ofMoved());
             measureJoints();
         }
+        if (steps_ == options_.reportFrom) { beginReport(); }
         return true;
     }
 
@@ -137,6 +130,22 @@ public:
     }
 
 private:
+    /// From here on, as if nothing had happened before; but the clock goes on.
+    void beginReport() {
+        const double stepSeconds = report_.stepSeconds;
+        report_ = {};
+        report_.stepSeconds = stepSeconds;
+        sums_ = {};
+        lost_.assign(scene_.bodies.size(), {});
+        const Totals totals = this->totals();
+        report_.startEnergy = totals.energy;
+        report_.startMomentum = totals.momentum;
+        report_.startAngularMomentum = totals.angularMomentum;
+        if (!options_.measure) { return; }
+        measureOverlaps(touching_->all(steps_ > 0));
+        measureJoints();
+    }
+
     Status timedStep() {
         if (!options_.measure) { return built_.world.step(scene_.settings.dt); }
         const auto start = std::chrono::steady_clock::now();

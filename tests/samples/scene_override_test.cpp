@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 #include <swept/samples/scene_reader.h>
 
+#include <string>
+#include <variant>
+#include <vector>
+
 namespace swept {
 namespace {
 
@@ -38,6 +42,73 @@ TEST(SceneOverride, AppendsToArrays) {
     EXPECT_EQ(result.scene->bodies[3].name, "newer");
 }
 
+const std::string kNamedScene = R"({"bodies": [{"name": "floor"}, {"type": "dynamic", "mass": 1, "inertia": 1},
+    {"name": "a/b~c", "type": "dynamic", "mass": 1, "inertia": 1}, {"name": "0", "angle": 4}],
+    "joints": [{"type": "revolute", "bodyA": "floor", "bodyB": "body1", "anchor": [0, 0]},
+               {"name": "rod", "type": "distance", "bodyA": "floor", "bodyB": "a/b~c", "anchorA": [0, 0],
+                "anchorB": [0, 1]}]})";
+
+TEST(SceneOverride, FindsBodiesAndJointsByTheirNames) {
+    const SceneResult result = readScene(kNamedScene, "my.json",
+                                         {{"/bodies/floor/angle", "0.5"},
+                                          {"/bodies/body1/position", "[3, 4]"},
+                                          {"/bodies/a~1b~0c/mass", "7"},
+                                          {"/bodies/floor/name", "\"ground\""},
+                                          {"/bodies/ground/position", "[9, 0]"},
+                                          {"/joints/0/bodyA", "\"ground\""},
+                                          {"/joints/rod/bodyA", "\"ground\""},
+                                          {"/joints/joint0/motorSpeed", "2"},
+                                          {"/joints/joint0/maxMotorTorque", "1"},
+                                          {"/joints/rod/breakForce", "6"}});
+    ASSERT_TRUE(result.scene.has_value()) << result.error.text();
+    const SceneDescription& scene = *result.scene;
+    EXPECT_EQ(scene.bodies[0].angle, 0.5);
+    EXPECT_EQ(scene.bodies[0].position, (DVec2{9, 0}));
+    EXPECT_EQ(scene.bodies[1].position, (DVec2{3, 4}));
+    EXPECT_EQ(scene.bodies[2].mass, 7);
+    EXPECT_EQ(scene.joints[1].breakForce, 6);
+    EXPECT_EQ(std::get<RevoluteDescription>(scene.joints[0].joint).motorSpeed, 2);
+    const SceneResult replaced = readScene(kNamedScene, "my.json",
+                                           {{"/bodies/0", R"({"name": "floor", "angle": 2})"},
+                                            {"/bodies/-", R"({"name": "new"})"},
+                                            {"/bodies/new/angle", "3"}});
+    ASSERT_TRUE(replaced.scene.has_value()) << replaced.error.text();
+    EXPECT_EQ(replaced.scene->bodies[0].angle, 2) << "an index is one, whatever a body is called";
+    EXPECT_EQ(replaced.scene->bodies[3].angle, 4);
+    EXPECT_EQ(replaced.scene->bodies[4].angle, 3);
+}
+
+TEST(SceneOverride, TellsOfNamesThatAreNone) {
+    const auto reasonWith = [](const std::string& scene, const Override& change) {
+        const SceneResult result = readScene(scene, "my.json", {change});
+        EXPECT_FALSE(result.scene.has_value());
+        EXPECT_EQ(result.error.pointer, change.first);
+        return result.error.reason;
+    };
+    EXPECT_EQ(reasonWith(kNamedScene, {"/bodies/flor/angle", "1"}),
+              "--set /bodies/flor/angle=1: \"flor\" is neither an index nor the name of one of them; did you mean "
+              "\"floor\"?");
+    EXPECT_EQ(reasonWith(kNamedScene, {"/joints/hinge/lower", "1"}),
+              "--set /joints/hinge/lower=1: \"hinge\" is neither an index nor the name of one of them; known here: "
+              "joint0, rod");
+    EXPECT_NE(reasonWith(R"({"bodies": [{"name": "a"}, {"name": "a"}]})", {"/bodies/a/angle", "1"})
+                  .find("there are several with the name \"a\""),
+              std::string::npos);
+    EXPECT_NE(reasonWith(R"({"bodies": []})", {"/bodies/a/angle", "1"}).find("\"a\" is not the index"),
+              std::string::npos);
+    EXPECT_NE(reasonWith(kScene, {"/bodies/floor/shapes/floor/friction", "1"}).find("\"floor\" is not the index"),
+              std::string::npos)
+        << "shapes have no names";
+    // Whatever is in the arrays.
+    EXPECT_NE(reasonWith(R"({"bodies": [1, null, {"name": 5}]})", {"/bodies/a/angle", "1"})
+                  .find("known here: body0, body1, body2"),
+              std::string::npos);
+    const SceneResult typed = readScene(kNamedScene, "my.json", {{"/bodies/floor/angle", "true"}});
+    EXPECT_EQ(typed.error.pointer, "/bodies/0/angle") << "as for the same text in the file";
+    const SceneResult tiny = readScene(kNamedScene, "my.json", {{"/bodies/body1/mass", "1e-999"}});
+    EXPECT_NE(tiny.error.reason.find("(1e-999 underflows)"), std::string::npos) << tiny.error.text();
+}
+
 struct Case {
     Override change;
     std::string pointer;
@@ -59,9 +130,9 @@ TEST(SceneOverride, Errors) {
         {{"/bodies/2/mass", "1"}, "/bodies/2/mass", "there is no element \"2\", the array has 2"},
         {{"/bodies/7", "{}"}, "/bodies/7", "there is no element \"7\", the array has 2"},
         {{"/bodies/-/mass", "1"}, "/bodies/-/mass", "there is no element \"-\""},
-        {{"/bodies/ball/mass", "1"}, "/bodies/ball/mass", "\"ball\" is not the index"},
-        {{"/bodies/01", "{}"}, "/bodies/01", "is not the index"},
-        {{"/bodies/99999999999999999999", "{}"}, "/bodies/99999999999999999999", "is not the index"},
+        {{"/bodies/ball/mass", "1"}, "/bodies/ball/mass", "\"ball\" is neither an index nor the name"},
+        {{"/bodies/01", "{}"}, "/bodies/01", "is neither an index nor the name"},
+        {{"/bodies/99999999999999999999", "{}"}, "/bodies/99999999999999999999", "is neither an index nor"},
         {{"/gravity/1", "-1"}, "/gravity/1", "the scene leaves out the array that would have element \"1\": set all"},
         {{"/bodies/1/shapes/0/polygon/vertices/-", "1"},
          "/bodies/1/shapes/0/polygon/vertices/-",

@@ -283,7 +283,7 @@ TEST(ScenePage, NamesTheMembersOfReports) {
     scene.bodies.resize(1);
     scene.joints.resize(1);
     scene.settings.maxPenetration = 1;
-    const auto json = nlohmann::ordered_json::parse(reportText(scene, report, {"engine", "f32", 1}));
+    const auto json = nlohmann::ordered_json::parse(reportText(scene, report, {"engine", "f32", 2, 1}));
     expectNamed("### Report", membersOf(json));
     expectNamed("### Report", membersOf(json["lostTime"][0]));
     expectNamed("### Report", membersOf(json["budgets"]["maxPenetration"]));

@@ -72,15 +72,15 @@ RenderOptions renderOptions(const PictureArguments& arguments, const Camera& cam
 
 class Pictures final : public PictureOutput {
 public:
-    Pictures(const PictureArguments& arguments, double dt) : arguments_(arguments), dt_(dt) {}
+    Pictures(const PictureArguments& arguments, StepSpan span, double dt)
+        : arguments_(arguments), span_(span), dt_(dt) {}
 
-    bool create(const SceneDescription& scene, const Camera& camera, PictureSize size, std::int64_t steps,
-                std::string& error) {
+    bool create(const SceneDescription& scene, const Camera& camera, PictureSize size, std::string& error) {
         renderer_ = SceneRenderer::create(scene, renderOptions(arguments_, camera, size), error);
         if (!renderer_) { return false; }
         if (!arguments_.webp.empty()) { webp_.emplace(); }
         if (arguments_.sheet == 0) { return true; }
-        sheetSteps_ = sheetSteps(steps, arguments_.sheet);
+        sheetSteps_ = sheetSteps(span_, arguments_.sheet);
         const auto moments = static_cast<int>(sheetSteps_.size());  // a short run has fewer than asked for
         RenderOptions tile = renderOptions(arguments_, camera, tileSize(size, moments));
         tile.time = false;                 // that is the caption
@@ -96,7 +96,7 @@ public:
         for (SceneRenderer* const renderer : {renderer_.get(), tileRenderer_.get()}) {
             if (renderer != nullptr) { noteStep(*renderer, frame, events); }
         }
-        if (frame.step % everyStep() == 0 && !drawFrame(frame, error)) { return false; }
+        if (span_.includes(frame.step, everyStep()) && !drawFrame(frame, error)) { return false; }
         if (std::binary_search(sheetSteps_.begin(), sheetSteps_.end(), frame.step)) {
             tiles_.push_back(tileRenderer_->draw(frame));
             captions_.push_back(timeLabel(frame.time, dt_));
@@ -122,7 +122,7 @@ private:
     std::int64_t everyStep() const { return arguments_.every.value_or(1); }
 
     void noteStep(SceneRenderer& renderer, const Frame& frame, std::span<const SceneEvent> events) const {
-        if (arguments_.trails) { renderer.addTrail(frame); }
+        if (arguments_.trails && span_.includes(frame.step)) { renderer.addTrail(frame); }
         renderer.removeBrokenJoints(events);
     }
 
@@ -135,12 +135,14 @@ private:
         }
         if (!webp_) { return true; }
         // Times rise strictly even where steps are shorter than a millisecond: then the animation is in slow motion.
-        lastMs_ = std::max(lastMs_ + 1, static_cast<int>(std::lround(1000 * frame.time)));
+        const double seconds = static_cast<double>(frame.step - span_.first) * dt_;
+        lastMs_ = std::max(lastMs_ + 1, static_cast<int>(std::lround(1000 * seconds)));
         webp_->add(image, lastMs_);  // a refused picture is reported by `finish`
         return true;
     }
 
     PictureArguments arguments_;
+    StepSpan span_;
     double dt_;
     std::unique_ptr<SceneRenderer> renderer_;
     std::unique_ptr<SceneRenderer> tileRenderer_;
@@ -153,9 +155,10 @@ private:
 };
 
 /// Animations count in milliseconds.
-void warnOfSlowMotion(const PictureArguments& arguments, std::int64_t steps, double dt) {
+void warnOfSlowMotion(const PictureArguments& arguments, StepSpan span, double dt) {
     const double pause = 1000 * dt * static_cast<double>(arguments.every.value_or(1));
-    if (arguments.webp.empty() || steps < arguments.every.value_or(1) || pause > 0.999) { return; }
+    const bool isMoving = span.last - span.first >= arguments.every.value_or(1);
+    if (arguments.webp.empty() || !isMoving || pause > 0.999) { return; }
     std::cerr << "swept: warning: --webp: pictures " << roundedText(pause) << " ms apart are shown for 1 ms each, "
               << roundedText(1 / pause, 3) << " times as long as they took; --every "
               << roundedText(std::ceil(0.001 / dt), 9) << " shows real time\n";
@@ -188,18 +191,13 @@ std::string faultOf(const PictureArguments& arguments, double duration) {
     return "";
 }
 
-/// Whether a run of so many steps draws that one.
-bool isDrawn(const PictureArguments& arguments, std::int64_t step, std::int64_t steps) {
-    return step <= steps && step % arguments.every.value_or(1) == 0;
-}
-
 /// Pictures in the directory that the run has not drawn.
-std::int64_t olderPictures(const PictureArguments& arguments, std::int64_t steps) {
+std::int64_t olderPictures(const PictureArguments& arguments, StepSpan span) {
     std::int64_t count = 0;
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(arguments.directory, ignored)) {
         const auto step = stepOfPicture(entry.path().filename().string());
-        count += step && !isDrawn(arguments, *step, steps) ? 1 : 0;
+        count += step && !span.includes(*step, arguments.every.value_or(1)) ? 1 : 0;
     }
     return count;
 }
@@ -252,29 +250,30 @@ bool parseSize(const std::string& text, PictureSize& size, std::string& error) {
 
 std::string picturePath(const std::string& directory, std::int64_t step) { return directory + '/' + pictureName(step); }
 
-std::vector<std::int64_t> sheetSteps(std::int64_t steps, int count) {
+std::vector<std::int64_t> sheetSteps(StepSpan span, int count) {
     std::vector<std::int64_t> chosen;
     for (int i = 0; i < count; ++i) {
         const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 1.0;
-        const auto step = static_cast<std::int64_t>(std::llround(share * static_cast<double>(steps)));
+        const auto length = static_cast<double>(span.last - span.first);
+        const auto step = span.first + static_cast<std::int64_t>(std::llround(share * length));
         if (chosen.empty() || step > chosen.back()) { chosen.push_back(step); }
     }
     return chosen;
 }
 
-void addPicturePlaces(OutputFiles& outputs, const PictureArguments& arguments, std::int64_t steps) {
+void addPicturePlaces(OutputFiles& outputs, const PictureArguments& arguments, StepSpan span) {
     const auto isPicture = [=](const std::string& name) {
         if (name == kSheetName) { return arguments.sheet > 0; }
         const std::optional<std::int64_t> step = stepOfPicture(name);
-        return step && isDrawn(arguments, *step, steps);
+        return step && span.includes(*step, arguments.every.value_or(1));
     };
     outputs.addDirectory("--png", arguments.directory, isPicture);
     outputs.addFile("--webp", arguments.webp);
 }
 
-void printPicturePlaces(std::ostream& out, const PictureArguments& arguments, std::int64_t steps) {
+void printPicturePlaces(std::ostream& out, const PictureArguments& arguments, StepSpan span) {
     if (!arguments.directory.empty()) {
-        const std::int64_t older = olderPictures(arguments, steps);
+        const std::int64_t older = olderPictures(arguments, span);
         out << "pictures  " << arguments.directory << "/frame_*.png"
             << (older > 0 ? " (and " + countText(older, "picture") + " of an earlier run)" : "") << '\n';
     }
@@ -283,16 +282,16 @@ void printPicturePlaces(std::ostream& out, const PictureArguments& arguments, st
 }
 
 std::unique_ptr<PictureOutput> makePictureOutput(const SceneDescription& scene, const PictureArguments& arguments,
-                                                 const Camera& camera, std::int64_t steps, std::string& error) {
-    error = faultOf(arguments, static_cast<double>(steps) * scene.settings.dt);
+                                                 const Camera& camera, StepSpan span, std::string& error) {
+    error = faultOf(arguments, static_cast<double>(span.last - span.first) * scene.settings.dt);
     PictureSize size;
     if (!error.empty() || !parseSize(arguments.size.empty() ? kDefaultSize : arguments.size, size, error)) {
         return nullptr;
     }
     if (arguments.directory.empty() && arguments.webp.empty()) { return nullptr; }
-    warnOfSlowMotion(arguments, steps, scene.settings.dt);
-    auto pictures = std::make_unique<Pictures>(arguments, scene.settings.dt);
-    if (pictures->create(scene, camera, size, steps, error)) { return pictures; }
+    warnOfSlowMotion(arguments, span, scene.settings.dt);
+    auto pictures = std::make_unique<Pictures>(arguments, span, scene.settings.dt);
+    if (pictures->create(scene, camera, size, error)) { return pictures; }
     error = "no pictures: " + error;
     return nullptr;
 }

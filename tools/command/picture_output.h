@@ -31,6 +31,17 @@ struct PictureArguments {
     bool sweeps = false;
 };
 
+/// The steps of a run that are told of: from the state after `first` steps to that after `last`.
+struct StepSpan {
+    std::int64_t first = 0;
+    std::int64_t last = 0;
+
+    /// Whether the state after `step` steps is one of every so many, counted from the first.
+    bool includes(std::int64_t step, std::int64_t every = 1) const {
+        return step >= first && step <= last && (step - first) % every == 0;
+    }
+};
+
 /// Width and height in pixels.
 struct PictureSize {
     int width = 0;
@@ -49,13 +60,13 @@ bool parseSize(const std::string& text, PictureSize& size, std::string& error);
 /// The path of the picture after `step` steps: DIR/frame_000120.png.
 std::string picturePath(const std::string& directory, std::int64_t step);
 
-/// Steps shown on a contact sheet of `count` moments: equally spaced, the first and the last step among them.
-std::vector<std::int64_t> sheetSteps(std::int64_t steps, int count);
+/// Steps shown on a contact sheet of `count` moments: equally spaced, the first and the last of the span among them.
+std::vector<std::int64_t> sheetSteps(StepSpan span, int count);
 
-/// @param steps  length of the run: later pictures are not written
-void addPicturePlaces(OutputFiles& outputs, const PictureArguments& arguments, std::int64_t steps);
-/// @param steps  so many were run. Pictures of an earlier run that this one did not draw over are told.
-void printPicturePlaces(std::ostream& out, const PictureArguments& arguments, std::int64_t steps);
+/// @param span  earlier and later pictures are not written
+void addPicturePlaces(OutputFiles& outputs, const PictureArguments& arguments, StepSpan span);
+/// @param span  as far as it was run. Pictures of an earlier run that this one did not draw over are told.
+void printPicturePlaces(std::ostream& out, const PictureArguments& arguments, StepSpan span);
 
 /// Draws the states it is shown, where and as often as the arguments say.
 class PictureOutput {
@@ -63,7 +74,8 @@ public:
     virtual ~PictureOutput() = default;
     /// Whether frames should carry contacts and impacts.
     virtual bool wantsContacts() const = 0;
-    /// To be called with every step's state and events, from step 0 on; draws the ones asked for.
+    /// To be called with every step's state and events, from step 0 on (before its span they need no contacts); draws
+    /// the ones asked for.
     /// @return false, and one line in `error`, when a picture could not be written.
     virtual bool show(const Frame& frame, std::span<const SceneEvent> events, std::string& error) = 0;
     /// Writes what needs the whole run: the animation, the contact sheet.
@@ -71,11 +83,11 @@ public:
 };
 
 /// @param camera  as the arguments have it for this scene.
-/// @param steps   length of the run, for the moments of the contact sheet.
+/// @param span    what is drawn of the run.
 /// @return null without error when no picture is asked for; null and one line in `error` when the arguments make no
 /// sense or
 ///         the renderer cannot be set up.
 std::unique_ptr<PictureOutput> makePictureOutput(const SceneDescription& scene, const PictureArguments& arguments,
-                                                 const Camera& camera, std::int64_t steps, std::string& error);
+                                                 const Camera& camera, StepSpan span, std::string& error);
 
 }  // namespace swept

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
@@ -29,6 +30,7 @@ namespace {
 struct RunArguments {
     SceneArguments scene;
     PictureArguments pictures;
+    std::optional<double> from;  ///< seconds
     std::string csv;
     std::optional<std::int64_t> csvEvery;  ///< steps; 1 where none is given
     std::vector<std::string> csvBodies;    ///< names; none: all bodies
@@ -47,8 +49,9 @@ struct RunOutcome {
 /// A run with all that looks at it: steps, hands each state to the writers, and stops at the first that is not finite.
 class ObservedRun {
 public:
-    ObservedRun(Runner& runner, const LoadedScene& loaded, std::vector<std::string> names)
-        : runner_(runner), loaded_(loaded), names_(std::move(names)) {}
+    /// @param span  what is told of it; the steps before are run all the same
+    ObservedRun(Runner& runner, const LoadedScene& loaded, StepSpan span, std::vector<std::string> names)
+        : runner_(runner), loaded_(loaded), span_(span), names_(std::move(names)) {}
 
     /// @param csvBodies  indices of those whose states are written; none: all
     void writeTo(OutputFiles& outputs, const RunArguments& arguments, const std::vector<std::size_t>& csvBodies) {
@@ -63,8 +66,8 @@ public:
         Progress progress(loaded_.source, loaded_.steps, loaded_.scene.settings.dt);
         const bool wantsContacts = pictures != nullptr && pictures->wantsContacts();
         for (std::int64_t step = 0;; ++step) {
-            runner_.read(frame_, wantsContacts);
-            if (csv_ && step % csvEvery_ == 0) { csv_->write(frame_); }
+            runner_.read(frame_, wantsContacts && span_.includes(step));
+            if (csv_ && span_.includes(step, csvEvery_)) { csv_->write(frame_); }
             outcome.steps = step;
             if (const auto body = firstNotFinite(frame_)) {
                 outcome.culprit = names_[*body];
@@ -77,7 +80,7 @@ public:
                 error = loaded_.source + ": " + runner_.report().refusal;
                 return false;
             }
-            if (events_) { events_->write(runner_.events()); }
+            if (events_ && step >= span_.first) { events_->write(runner_.events()); }
             progress.update(step + 1);
         }
     }
@@ -85,6 +88,7 @@ public:
 private:
     Runner& runner_;
     const LoadedScene& loaded_;
+    StepSpan span_;
     std::vector<std::string> names_;
     std::optional<CsvWriter> csv_;
     std::int64_t csvEvery_ = 1;
@@ -96,6 +100,8 @@ private:
 void addRunOptions(Command command, RunArguments& arguments) {
     addSceneArguments(command, arguments.scene);
     addPrecisionArgument(command, arguments.scene);
+    command.option("--from", arguments.from, "Pictures, states, events and totals begin at this time of the run [0]")
+        .type("S");
     addPictureArguments(command, arguments.pictures);
     command.option("--csv", arguments.csv, "State of every body after every step; - is standard output").type("FILE");
     command.option("--csv-every", arguments.csvEvery, "Steps from one state to the next [1]").type("N");
@@ -104,7 +110,7 @@ void addRunOptions(Command command, RunArguments& arguments) {
         .separatedBy(',')
         .oneValueEach();
     command.option("--events", arguments.events, "Contact, sensor and joint events as JSON lines, or -").type("FILE");
-    command.option("--report", arguments.report, "Totals of the run as JSON, or -").type("FILE");
+    command.option("--report,--json", arguments.report, "Totals of the run as JSON, or -").type("FILE");
     command
         .option("--write-scene", arguments.writtenScene,
                 "The scene as it is run, with what --set and --view change, as JSON, or -")
@@ -116,14 +122,14 @@ void addRunOptions(Command command, RunArguments& arguments) {
         .within(1, kMostThreads);
 }
 
-OutputFiles placesOf(const RunArguments& arguments, const LoadedScene& loaded) {
+OutputFiles placesOf(const RunArguments& arguments, const LoadedScene& loaded, StepSpan span) {
     OutputFiles outputs;
     outputs.protect(loaded.file);
     outputs.addStream("--csv", arguments.csv);
     outputs.addStream("--events", arguments.events);
     outputs.addStream("--report", arguments.report);
     outputs.addStream("--write-scene", arguments.writtenScene);
-    addPicturePlaces(outputs, arguments.pictures, loaded.steps);
+    addPicturePlaces(outputs, arguments.pictures, span);
     return outputs;
 }
 
@@ -156,12 +162,16 @@ void printWorst(std::ostream& out, const SceneDescription& scene, const RunRepor
     }
 }
 
-void printSummary(std::ostream& out, const LoadedScene& loaded, const RunOutcome& outcome, const RunReport& report) {
-    const double time = static_cast<double>(outcome.steps) * loaded.scene.settings.dt;
+/// @param from  the step from which on the run is told of
+void printSummary(std::ostream& out, const LoadedScene& loaded, const RunOutcome& outcome, std::int64_t from,
+                  const RunReport& report) {
+    const double dt = loaded.scene.settings.dt;
     const std::string& name = loaded.scene.name.empty() ? loaded.source : loaded.scene.name;
-    out << name << ": " << countText(outcome.steps, "step") << " of " << roundedText(loaded.scene.settings.dt)
-        << " s = " << roundedText(time) << " s, computed in " << roundedText(report.stepSeconds, 3) << " s ("
-        << (loaded.precision == Precision::f64 ? "f64" : "f32") << ")\n";
+    out << name << ": " << countText(outcome.steps, "step") << " of " << roundedText(dt)
+        << " s = " << roundedText(static_cast<double>(outcome.steps) * dt) << " s, computed in "
+        << roundedText(report.stepSeconds, 3) << " s (" << (loaded.precision == Precision::f64 ? "f64" : "f32")
+        << ")\n";
+    if (from > 0) { out << "from " << roundedText(static_cast<double>(from) * dt) << " s on:\n"; }
     printWorst(out, loaded.scene, report);
 }
 
@@ -187,21 +197,22 @@ void warnOfOverflow(const RunReport& report) {
 
 /// Writes what belongs to the end of the run, closes the files, and tells the user.
 int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Runner& runner, const RunOutcome& outcome,
-              OutputFiles& outputs) {
+              StepSpan span, OutputFiles& outputs) {
     const RunReport report = runner.report();
+    const std::int64_t from = span.first <= outcome.steps ? span.first : 0;  // else all of the run is reported
     if (std::ostream* const file = outputs.stream(arguments.report)) {
         const std::string precision = loaded.precision == Precision::f64 ? "f64" : "f32";
-        *file << reportText(loaded.scene, report, {"swept2d " + versionText(), precision, outcome.steps});
+        *file << reportText(loaded.scene, report, {"swept2d " + versionText(), precision, outcome.steps, from});
     }
     std::string error;
     if (!outputs.close(error)) { return refuse(error); }
     std::ostream& out = toldIn(arguments);
-    printSummary(out, loaded, outcome, report);
+    printSummary(out, loaded, outcome, from, report);
     printPlace(out, "states    ", arguments.csv);
     printPlace(out, "events    ", arguments.events);
     printPlace(out, "report    ", arguments.report);
     printPlace(out, "scene     ", arguments.writtenScene);
-    printPicturePlaces(out, arguments.pictures, outcome.steps);
+    printPicturePlaces(out, arguments.pictures, {span.first, outcome.steps});
     warnOfBudget("maxPenetration", loaded.scene.settings.maxPenetration, report.deepestPenetration, "m");
     warnOfBudget("maxJointError", loaded.scene.settings.maxJointError, report.largestJointError, "m");
     const auto most = mostLostTime(report);
@@ -246,6 +257,23 @@ std::optional<std::vector<std::size_t>> csvBodiesOf(const RunArguments& argument
     return bodies;
 }
 
+/// What is told of the run. @return nothing, and one line in `error`, when it would end before.
+std::optional<StepSpan> spanOf(const RunArguments& arguments, const LoadedScene& loaded, std::string& error) {
+    const double from = arguments.from.value_or(0);
+    if (!std::isfinite(from) || from < 0) {
+        error = "--from: must be a finite number of seconds, at least 0";
+        return std::nullopt;
+    }
+    const double dt = loaded.scene.settings.dt;
+    const double first = std::round(from / dt);
+    if (!(first <= static_cast<double>(loaded.steps))) {
+        error = "--from " + roundedText(from) + ": the run ends at " +
+                roundedText(static_cast<double>(loaded.steps) * dt) + " s (--duration)";
+        return std::nullopt;
+    }
+    return StepSpan{static_cast<std::int64_t>(first), loaded.steps};
+}
+
 /// The scene as it is run. A view that follows a body is nothing that a scene can hold.
 std::string sceneText(SceneDescription scene, const Camera& camera) {
     if (camera.view && !camera.follow) { scene.view = camera.view; }
@@ -259,23 +287,25 @@ int runScene(const RunArguments& arguments) {
     const std::vector<std::string> names = bodyNames(loaded->scene);
     const auto camera = cameraOf(arguments.pictures.camera, loaded->scene, error);
     const auto csvBodies = camera ? csvBodiesOf(arguments, names, error) : std::nullopt;
-    if (!csvBodies) { return refuse(error); }
-    const auto pictures = makePictureOutput(loaded->scene, arguments.pictures, *camera, loaded->steps, error);
+    const auto span = csvBodies ? spanOf(arguments, *loaded, error) : std::nullopt;
+    if (!span) { return refuse(error); }
+    const auto pictures = makePictureOutput(loaded->scene, arguments.pictures, *camera, *span, error);
     if (!error.empty()) { return refuse(error); }
     const bool needsEvents = !arguments.events.empty() || pictures != nullptr;
     const auto tasks = makeTaskSystem(arguments.threads);
     if (arguments.threads > 1 && !tasks) {
         std::cerr << "swept: warning: --threads: built without oneTBB, so this runs on one thread\n";
     }
-    const RunnerOptions options{loaded->precision, needsEvents, true, arguments.pictures.sweeps, tasks.get()};
+    const RunnerOptions options{loaded->precision,         needsEvents, true,
+                                arguments.pictures.sweeps, tasks.get(), span->first};
     const auto runner = makeRunner(loaded->scene, options, error);
     if (!runner) { return refuse(loaded->source + ": " + error); }
-    OutputFiles outputs = placesOf(arguments, *loaded);
+    OutputFiles outputs = placesOf(arguments, *loaded, *span);
     if (!outputs.open(error)) { return refuse(error); }
     if (std::ostream* const file = outputs.stream(arguments.writtenScene)) {
         *file << sceneText(loaded->scene, *camera);
     }
-    ObservedRun run(*runner, *loaded, names);
+    ObservedRun run(*runner, *loaded, *span, names);
     run.writeTo(outputs, arguments, *csvBodies);
     RunOutcome outcome;
     const bool complete = run.run(pictures.get(), outcome, error);
@@ -283,7 +313,7 @@ int runScene(const RunArguments& arguments) {
         outputs.discard();
         return error.empty() ? kExitBadInput : refuse(error);
     }
-    return finishRun(arguments, *loaded, *runner, outcome, outputs);
+    return finishRun(arguments, *loaded, *runner, outcome, *span, outputs);
 }
 
 }  // namespace

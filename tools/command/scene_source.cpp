@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <iostream>
 #include <numeric>
-#include <span>
 #include <sstream>
 #include <string_view>
 
@@ -45,7 +44,7 @@ std::optional<std::vector<Override>> splitOverrides(const std::vector<std::strin
     for (const std::string& text : typed) {
         const std::size_t equals = text.find('=');
         if (equals == std::string::npos || text.front() != '/') {
-            error = "--set " + text + ": expected /pointer=value";
+            error = "--set " + text + ": expected /pointer=value, as /settings/dt=0.01 or /bodies/NAME/angle=0.5";
             return std::nullopt;
         }
         overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
@@ -128,7 +127,8 @@ void addSceneArguments(Command command, SceneArguments& arguments) {
     command
         .option("--set", arguments.overrides,
                 "Override a member of the scene before it is checked: a JSON pointer and a JSON value, for example "
-                "/settings/dt=0.01; may be repeated")
+                "/settings/dt=0.01 or /bodies/1/position=[0,5]; bodies and joints by index or by name, as "
+                "/bodies/ball/position=[0,5]; may be repeated")
         .type("/PTR=JSON")
         .oneValueEach();
 }
@@ -180,18 +180,7 @@ std::optional<std::size_t> bodyOfName(const std::string& flag, const std::string
                                       const std::vector<std::string>& names, std::string& error) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found != names.end()) { return static_cast<std::size_t>(found - names.begin()); }
-    constexpr std::size_t kMostNames = 8;  // in one line
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    error = flag + ' ' + name + ": the scene has no body of that name";
-    const std::string_view nearest = nearestName(name, known);
-    if (!nearest.empty()) {
-        error += "; did you mean " + inQuotes(nearest) + '?';
-    } else if (known.size() <= kMostNames) {
-        error += suggestion(name, known);
-    } else {
-        error += suggestion(name, std::span(known).first(kMostNames)) + " and " +
-                 std::to_string(known.size() - kMostNames) + " more";
-    }
+    error = flag + ' ' + name + ": the scene has no body of that name" + shortSuggestion(name, names);
     return std::nullopt;
 }
 

@@ -11,9 +11,11 @@ namespace swept {
 
 /// What a report says of the run besides the engine's own totals.
 struct RunFacts {
-    std::string engine;     ///< "swept2d 0.1.0"
-    std::string precision;  ///< "f32", "f64"
-    std::int64_t steps = 0;
+    std::string engine;                 ///< "swept2d 0.1.0"
+    std::string precision;              ///< "f32", "f64"; empty: not told
+    std::optional<std::int64_t> steps;  ///< that were run; nothing: none was
+    std::int64_t from = 0;              ///< the steps before are not reported
+    std::string source{};               ///< where the scene comes from, as typed; empty: not told
 };
 
 /// The body that lost most time in a run, for all reasons together.
