@@ -6,6 +6,7 @@
 
 #include "../engine/world.h"
 #include "../shapes/chain.h"
+#include "scene_definitions.h"
 #include "scene_description.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -16,14 +17,6 @@ struct SceneWorld {
     std::vector<BodyId> bodies;   ///< by body index
     std::vector<JointId> joints;  ///< by joint index
 };
-
-/// User data of a body is its index; of a shape its body's index (upper half) and its own (lower half); of a joint its
-/// index.
-struct ShapeOrigin {
-    int body = 0;
-    int shape = 0;
-};
-ShapeOrigin shapeOrigin(std::uint64_t userData);
 
 /// As the world takes them.
 inline ChainNeighbours neighboursOf(const ChainGeometry& chain) {
