@@ -228,12 +228,19 @@ void SceneDrawing::drawJoints(Paint& paint, const PixelView& view, const Frame& 
 }
 
 void SceneDrawing::drawNames(Paint& paint, const PixelView& view, const Frame& frame, double textHeight) const {
+    std::vector<PixelBox> written;
     for (std::size_t i = 0; i < std::min(bodies_.size(), frame.bodies.size()); ++i) {
         const DVec2 p = view.toPixels(frame.bodies[i].position);
         if (!isFinite(p) || !paint.box().contains(p)) { continue; }
-        const double half = textWidth(bodies_[i].name, textHeight) / 2;
-        paint.fillBox({{p.x - half - 3, p.y - 0.5 * textHeight - 3}, {p.x + half + 3, p.y + 0.5 * textHeight + 3}}, 3,
-                      withAlpha(rgb(0xFFFFFF), 165));
+        const DVec2 half{textWidth(bodies_[i].name, textHeight) / 2 + 3, 0.5 * textHeight + 3};
+        const PixelBox box{p - half, p + half};
+        const auto overlaps = [&box](const PixelBox& other) {
+            return box.low.x < other.high.x && box.high.x > other.low.x && box.low.y < other.high.y &&
+                   box.high.y > other.low.y;
+        };
+        if (std::any_of(written.begin(), written.end(), overlaps)) { continue; }
+        written.push_back(box);
+        paint.fillBox(box, 3, withAlpha(rgb(0xFFFFFF), 165));
         drawText(paint, bodies_[i].name, p - DVec2{0, 0.5 * textHeight}, textHeight, style::kText, TextAlign::center);
     }
 }

@@ -32,6 +32,7 @@ public:
     void drawSwept(Paint& paint, const PixelView& view, std::size_t body, const BodyFrame& from,
                    const BodyFrame& to) const;
     void drawJoints(Paint& paint, const PixelView& view, const Frame& frame) const;
+    /// Of each body at its origin, in the order of the scene, unless an earlier name is in the way.
     void drawNames(Paint& paint, const PixelView& view, const Frame& frame, double textHeight) const;
 
     /// From now on, this joint of the scene is not drawn, nor a gear on it.

@@ -46,6 +46,7 @@ TEST_F(CommandError, ScenesThatAreNotThere) {
     expectRunRefused({"piramid"},
                      "piramid: no such file, and no built-in scene of that name; did you mean \"pyramid\"?");
     expectRunRefused({in_.path("missing.json")}, "no such file");
+    expectRunRefused({in_.path("ball")}, "did you mean \"" + scene_ + "\"?");
     expectRunRefused({"--steps", "1"}, "scene");
 }
 
@@ -80,7 +81,6 @@ TEST_F(CommandError, PlacesThatCannotBeWritten) {
     expectRunRefused({scene_, "--csv", "-", "--report", "-"}, "--report -: standard output is that of --csv already");
     // The tests' standard output is a file: states would overwrite what the command tells, or be overwritten by it.
     expectRunRefused({scene_, "--csv", "/dev/stdout"}, "--csv /dev/stdout: is where standard output goes");
-    expectRefused({"inspect", scene_, "--json", "-"}, "--json -: cannot write to standard output");
     expectRefused({"tune", scene_, "--max-error", "penetration=1", "--out", "-"},
                   "--out -: cannot write to standard output");
     expectRefused({"tune", scene_, "--ablate", "--max-error", "penetration=1", "--out", scene_ + "/below"},
@@ -105,6 +105,7 @@ TEST_F(CommandError, PicturesThatMakeNoSense) {
     expectRunRefused({scene_, "--sheet", "-1"}, "--sheet");
     expectRefused({"run", scene_, "--sheet", "4"}, "--sheet: needs --png");
     expectRefused({"run", scene_, "--trails"}, "need --png or --webp");
+    expectRefused({"run", scene_, "--labels"}, "--sweeps and --labels need --png or --webp");
     expectRunRefused({scene_, "--sheet", "0"}, "--sheet");
     expectRunRefused({scene_, "--sheet", "401"}, "--sheet");
     expectRunRefused({scene_, "--size", "9000x90"}, "--size 9000x90: sides must be between 16 and 8192");

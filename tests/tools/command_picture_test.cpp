@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "../support/png_file.h"
 #include "run_program.h"
@@ -64,6 +65,21 @@ TEST(CommandPictures, DrawsASheetAndAnAnimation) {
     EXPECT_EQ(webp.substr(0, 4), "RIFF");
     EXPECT_EQ(webp.substr(8, 4), "WEBP");
     EXPECT_NE(webp.find("ANIM"), std::string::npos);
+}
+
+TEST(CommandPictures, WriteNamesWhereTheyAreAskedTo) {
+    const ScratchDirectory scratch;
+    const std::string scene = scratch.write("ball.json", kBallScene);
+    const auto pictureOf = [&](std::vector<std::string> options) {
+        options.insert(options.begin(),
+                       {"run", scene, "--steps", "0", "--size", "320x180", "--png", scratch.path("out")});
+        EXPECT_EQ(runSwept(options).exitCode, 0);
+        return scratch.read("out/frame_000000.png");
+    };
+    const std::string named = pictureOf({"--labels"});
+    EXPECT_NE(named, pictureOf({}));
+    EXPECT_NE(named, pictureOf({"--labels", "--set", "/bodies/ball/name=\"bullet\""}));
+    EXPECT_EQ(pictureOf({}), pictureOf({"--set", "/bodies/ball/name=\"bullet\""}));
 }
 
 /// A run of two steps has three moments, however many are asked for.

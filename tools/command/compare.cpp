@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <swept/samples/render/image_png.h>
@@ -15,8 +16,10 @@
 #include "../writers/csv_writer.h"
 #include "../writers/number_text.h"
 #include "../writers/output_files.h"
+#include "../writers/report_json.h"
 #include "camera.h"
 #include "commands.h"
+#include "json_output.h"
 #include "picture_output.h"
 #include "progress.h"
 #include "scene_source.h"
@@ -32,6 +35,7 @@ struct CompareArguments {
     std::string png;
     std::string size;  ///< kOverlaySize where none is given
     CameraArguments camera;
+    std::string json;
     std::string csv;
     std::optional<double> scale;  ///< metres
 };
@@ -44,36 +48,38 @@ struct Comparison {
     bool finite = true;
     Frame ours;
     Frame theirs;
+    ReportJson table = ReportJson::array();  ///< of what is printed
 };
 
 /// A column of the table: its numbers in a fixed width, so that rows line up.
-void printCell(const std::string& text, int width) { std::cout << std::setw(width) << text << "  "; }
+void printCell(std::ostream& out, const std::string& text, int width) { out << std::setw(width) << text << "  "; }
 
-void printHead() {
-    printCell("time", 7);
-    printCell("worst", 9);
-    printCell("mean", 9);
-    printCell("angle", 9);
-    printCell("our energy", 10);
-    printCell("Box2D's", 10);
-    std::cout << "worst body\n";
-    printCell("s", 7);
-    printCell("m", 9);
-    printCell("m", 9);
-    printCell("rad", 9);
-    printCell("J", 10);
-    printCell("J", 10);
-    std::cout << '\n';
+void printHead(std::ostream& out) {
+    printCell(out, "time", 7);
+    printCell(out, "worst", 9);
+    printCell(out, "mean", 9);
+    printCell(out, "angle", 9);
+    printCell(out, "our energy", 10);
+    printCell(out, "Box2D's", 10);
+    out << "worst body\n";
+    printCell(out, "s", 7);
+    printCell(out, "m", 9);
+    printCell(out, "m", 9);
+    printCell(out, "rad", 9);
+    printCell(out, "J", 10);
+    printCell(out, "J", 10);
+    out << '\n';
 }
 
-void printRow(const Deviation& deviation, double ourEnergy, double theirEnergy, const std::vector<std::string>& names) {
-    printCell(roundedText(deviation.time), 7);
-    printCell(roundedText(deviation.worstPosition, 3), 9);
-    printCell(roundedText(deviation.meanPosition, 3), 9);
-    printCell(roundedText(deviation.worstAngle, 3), 9);
-    printCell(roundedText(ourEnergy, 5), 10);
-    printCell(roundedText(theirEnergy, 5), 10);
-    std::cout << (deviation.worstBody < 0 ? "-" : names[static_cast<std::size_t>(deviation.worstBody)]) << '\n';
+void printRow(std::ostream& out, const Deviation& deviation, double ourEnergy, double theirEnergy,
+              const std::vector<std::string>& names) {
+    printCell(out, roundedText(deviation.time), 7);
+    printCell(out, roundedText(deviation.worstPosition, 3), 9);
+    printCell(out, roundedText(deviation.meanPosition, 3), 9);
+    printCell(out, roundedText(deviation.worstAngle, 3), 9);
+    printCell(out, roundedText(ourEnergy, 5), 10);
+    printCell(out, roundedText(theirEnergy, 5), 10);
+    out << (deviation.worstBody < 0 ? "-" : names[static_cast<std::size_t>(deviation.worstBody)]) << '\n';
 }
 
 /// Position, angle and velocity of each dynamic body in both engines' runs, step by step.
@@ -109,15 +115,29 @@ private:
     std::vector<std::string> fields_;
 };
 
+ReportJson deviationJson(const Deviation& deviation, double ourEnergy, double theirEnergy,
+                         const std::vector<std::string>& names) {
+    ReportJson row;
+    row["step"] = deviation.step;
+    row["time"] = deviation.time;
+    row["worstPosition"] = deviation.worstPosition;
+    row["meanPosition"] = deviation.meanPosition;
+    row["worstAngle"] = deviation.worstAngle;
+    if (deviation.worstBody >= 0) { row["body"] = names[static_cast<std::size_t>(deviation.worstBody)]; }
+    row["energy"] = ReportJson{{"ours", ourEnergy}, {"box2d", theirEnergy}};
+    return row;
+}
+
+/// @param out       gets the table
 /// @param renderer  learns which of our joints break; null: nothing is drawn
-void compareRuns(const LoadedScene& loaded, Runner& ours, Box2dRunner& theirs, std::ostream* csvFile,
+void compareRuns(std::ostream& out, const LoadedScene& loaded, Runner& ours, Box2dRunner& theirs, std::ostream* csvFile,
                  SceneRenderer* renderer, Comparison& found) {
     const std::vector<std::string> names = bodyNames(loaded.scene);
     std::optional<DeviationCsv> csv;
     if (csvFile != nullptr) { csv.emplace(*csvFile, names); }
     const std::int64_t stride = std::max<std::int64_t>(1, (loaded.steps + kTableRows - 1) / kTableRows);
     Progress progress("comparing " + loaded.source, loaded.steps, loaded.scene.settings.dt);
-    printHead();
+    printHead(out);
     for (std::int64_t step = 0; !theirs.aborted(); ++step) {
         ours.read(found.ours, true);
         theirs.read(found.theirs, true);
@@ -129,7 +149,11 @@ void compareRuns(const LoadedScene& loaded, Runner& ours, Box2dRunner& theirs, s
         const RunReport report = ours.report();
         found.finite = report.finite;
         const bool isLast = step == loaded.steps || !found.finite;
-        if (step % stride == 0 || isLast) { printRow(deviation, report.endEnergy, theirs.report().endEnergy, names); }
+        if (step % stride == 0 || isLast) {
+            const double theirEnergy = theirs.report().endEnergy;
+            printRow(out, deviation, report.endEnergy, theirEnergy, names);
+            found.table.push_back(deviationJson(deviation, report.endEnergy, theirEnergy, names));
+        }
         if (isLast) { return; }
         ours.step();
         theirs.step();
@@ -145,20 +169,41 @@ bool writeOverlay(SceneRenderer& renderer, const Comparison& found, const std::s
     return false;
 }
 
-void printFindings(const LoadedScene& loaded, const Comparison& found, const Runner& ours, const Box2dRunner& theirs) {
+void printFindings(std::ostream& out, const LoadedScene& loaded, const Comparison& found, const Runner& ours,
+                   const Box2dRunner& theirs) {
     const double dt = loaded.scene.settings.dt;
-    std::cout << "\nDeviation above " << roundedText(found.scale) << " m (--scale): ";
+    out << "\nDeviation above " << roundedText(found.scale) << " m (--scale): ";
     if (found.firstBeyond < 0) {
-        std::cout << "never in " << countText(found.steps, "step") << '\n';
+        out << "never in " << countText(found.steps, "step") << '\n';
     } else {
-        std::cout << "from step " << found.firstBeyond << " ("
-                  << roundedText(static_cast<double>(found.firstBeyond) * dt) << " s) on\n";
+        out << "from step " << found.firstBeyond << " (" << roundedText(static_cast<double>(found.firstBeyond) * dt)
+            << " s) on\n";
     }
-    std::cout << "Deepest penetration: ours " << roundedText(ours.report().deepestPenetration, 3) << " m, Box2D "
-              << roundedText(theirs.report().deepestPenetration, 3) << " m\n";
-    if (theirs.aborted()) { std::cout << *theirs.aborted() << '\n'; }
-    std::cout << "\nBox2D 2.4.1 stands in with these differences:\n";
-    for (const std::string& sentence : theirs.approximations()) { std::cout << "  " << sentence << '\n'; }
+    out << "Deepest penetration: ours " << roundedText(ours.report().deepestPenetration, 3) << " m, Box2D "
+        << roundedText(theirs.report().deepestPenetration, 3) << " m\n";
+    if (theirs.aborted()) { out << *theirs.aborted() << '\n'; }
+    out << "\nBox2D 2.4.1 stands in with these differences:\n";
+    for (const std::string& sentence : theirs.approximations()) { out << "  " << sentence << '\n'; }
+}
+
+std::string comparisonJson(const LoadedScene& loaded, Comparison& found, const Runner& ours,
+                           const Box2dRunner& theirs) {
+    RunFacts facts = factsOf(loaded);
+    facts.steps = found.steps;
+    ReportJson json = headOf(loaded.scene, facts);
+    json["scale"] = found.scale;
+    if (found.firstBeyond >= 0) {
+        const double time = static_cast<double>(found.firstBeyond) * loaded.scene.settings.dt;
+        json["firstBeyond"] = ReportJson{{"step", found.firstBeyond}, {"time", time}};
+    }
+    json["deviations"] = std::move(found.table);
+    addTotals(json["ours"], loaded.scene, ours.report());
+    json["box2d"]["engine"] = "Box2D 2.4.1";
+    addTotals(json["box2d"], loaded.scene, theirs.report());
+    json["box2d"].erase("lostTime");  // it keeps no book of that
+    if (theirs.aborted()) { json["box2d"]["aborted"] = *theirs.aborted(); }
+    json["box2d"]["differences"] = theirs.approximations();
+    return jsonText(json);
 }
 
 std::unique_ptr<SceneRenderer> makeOverlayRenderer(const LoadedScene& loaded, const CompareArguments& arguments,
@@ -185,6 +230,7 @@ bool openOutputs(OutputFiles& outputs, const CompareArguments& arguments, const 
     outputs.protect(loaded.file);
     outputs.addFile("--csv", arguments.csv);
     outputs.addFile("--png", arguments.png);
+    outputs.addStream("--json", arguments.json);
     if (outputs.refuseClashes(error)) { error = endingFault("--png", arguments.png, "PNG"); }
     return error.empty() && outputs.open(error);
 }
@@ -207,15 +253,19 @@ int compareScene(const CompareArguments& arguments) {
     found.scale = arguments.scale.value_or(visibleDeviation(loaded->scene));
     ours->read(found.ours, true);
     theirs->read(found.theirs, true);
-    compareRuns(*loaded, *ours, *theirs, outputs.stream(arguments.csv), renderer.get(), found);
+    std::ostream& out = toldBeside(arguments.json);
+    compareRuns(out, *loaded, *ours, *theirs, outputs.stream(arguments.csv), renderer.get(), found);
+    if (std::ostream* const json = outputs.stream(arguments.json)) {
+        *json << comparisonJson(*loaded, found, *ours, *theirs);
+    }
     if (!outputs.close(error)) { return refuse(error); }
     if (renderer && !writeOverlay(*renderer, found, arguments.png, error)) {
         outputs.discard();
         return refuse(error);
     }
-    printFindings(*loaded, found, *ours, *theirs);
-    if (!arguments.csv.empty()) { std::cout << "\ndeviations  " << arguments.csv << '\n'; }
-    if (renderer) { std::cout << "overlay     " << arguments.png << '\n'; }
+    printFindings(out, *loaded, found, *ours, *theirs);
+    if (!arguments.csv.empty()) { out << "\ndeviations  " << arguments.csv << '\n'; }
+    if (renderer) { out << "overlay     " << arguments.png << '\n'; }
     return found.finite ? kExitDone : kExitNotFinite;
 }
 
@@ -227,6 +277,7 @@ void addCompareCommand(Command app) {
     const auto arguments = std::make_shared<CompareArguments>();
     addSceneArguments(command, arguments->scene);
     addPrecisionArgument(command, arguments->scene);
+    addJsonArgument(command, arguments->json, "What is found, and the totals of both");
     command.option("--png", arguments->png, "Picture of the last step, one engine over the other").type("FILE");
     command.option("--size", arguments->size, "Size of the picture in pixels [1280x720]").type("WxH");
     addCameraArguments(command, arguments->camera);

@@ -2,12 +2,13 @@
 #include <iostream>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "../inspect/inspect_scene.h"
 #include "../writers/output_files.h"
+#include "../writers/report_json.h"
 #include "commands.h"
+#include "json_output.h"
 #include "scene_source.h"
 
 namespace swept {
@@ -24,8 +25,8 @@ struct InspectArguments {
 
 const char* nameOf(Severity severity) { return severity == Severity::warning ? "warning" : "note"; }
 
-void printFindings(const std::vector<Finding>& findings) {
-    if (findings.empty()) { std::cout << "Nothing in this scene lies outside the measured envelope.\n"; }
+void printFindings(std::ostream& out, const std::vector<Finding>& findings) {
+    if (findings.empty()) { out << "Nothing in this scene lies outside the measured envelope.\n"; }
     std::map<std::string, int> told;
     std::map<std::string, int> left;
     for (const Finding& finding : findings) {
@@ -33,29 +34,31 @@ void printFindings(const std::vector<Finding>& findings) {
             ++left[finding.kind];
             continue;
         }
-        std::cout << nameOf(finding.severity) << " [" << finding.kind << "] " << finding.where << '\n'
-                  << "    " << finding.text << ".\n";
-        if (!finding.remedy.empty()) { std::cout << "    Mend: " << finding.remedy << ".\n"; }
+        out << nameOf(finding.severity) << " [" << finding.kind << "] " << finding.where << '\n'
+            << "    " << finding.text << ".\n";
+        if (!finding.remedy.empty()) { out << "    Mend: " << finding.remedy << ".\n"; }
     }
     for (const auto& [kind, count] : left) {
-        std::cout << "… and " << count << " more of [" << kind << "] (--json lists all)\n";
+        out << "… and " << count << " more of [" << kind << "] (--json lists all)\n";
     }
 }
 
-void printNeeds(const std::vector<Need>& needs) {
-    std::cout << "\nWhat the scene needs:\n";
+void printNeeds(std::ostream& out, const std::vector<Need>& needs) {
+    out << "\nWhat the scene needs:\n";
     std::size_t widest = 0;
     for (const Need& need : needs) { widest = std::max(widest, need.feature.size()); }
     for (const Need& need : needs) {
-        std::cout << "  " << need.feature << std::string(widest - need.feature.size(), ' ')
-                  << (need.needed ? "  yes  " : "  no   ") << need.reason << '\n';
+        out << "  " << need.feature << std::string(widest - need.feature.size(), ' ')
+            << (need.needed ? "  yes  " : "  no   ") << need.reason << '\n';
     }
 }
 
-std::string jsonOf(const std::string& source, const Inspection& inspection) {
-    nlohmann::ordered_json json;
-    json["scene"] = source;
-    json["findings"] = nlohmann::ordered_json::array();
+std::string inspectionJson(const LoadedScene& loaded, const Inspection& inspection) {
+    RunFacts facts = factsOf(loaded);
+    facts.precision.clear();  // the doctor looks at both
+    facts.steps.reset();
+    ReportJson json = headOf(loaded.scene, facts);
+    json["findings"] = ReportJson::array();
     for (const Finding& finding : inspection.findings) {
         json["findings"].push_back({{"severity", nameOf(finding.severity)},
                                     {"kind", finding.kind},
@@ -63,11 +66,11 @@ std::string jsonOf(const std::string& source, const Inspection& inspection) {
                                     {"text", finding.text},
                                     {"remedy", finding.remedy}});
     }
-    json["needs"] = nlohmann::ordered_json::array();
+    json["needs"] = ReportJson::array();
     for (const Need& need : inspection.needs) {
         json["needs"].push_back({{"feature", need.feature}, {"needed", need.needed}, {"reason", need.reason}});
     }
-    return json.dump(2) + '\n';
+    return jsonText(json);
 }
 
 int inspect(const InspectArguments& arguments) {
@@ -76,12 +79,13 @@ int inspect(const InspectArguments& arguments) {
     if (!loaded) { return refuse(error); }
     OutputFiles outputs;
     outputs.protect(loaded->file);
-    outputs.addFile("--json", arguments.json);
+    outputs.addStream("--json", arguments.json);
     if (!outputs.open(error)) { return refuse(error); }
     const Inspection inspection = inspectScene(loaded->scene);
-    printFindings(inspection.findings);
-    printNeeds(inspection.needs);
-    if (std::ostream* const json = outputs.stream(arguments.json)) { *json << jsonOf(loaded->source, inspection); }
+    std::ostream& out = toldBeside(arguments.json);
+    printFindings(out, inspection.findings);
+    printNeeds(out, inspection.needs);
+    if (std::ostream* const json = outputs.stream(arguments.json)) { *json << inspectionJson(*loaded, inspection); }
     if (!outputs.close(error)) { return refuse(error); }
     const bool isBad = !inspection.findings.empty() && inspection.findings.front().severity == Severity::warning;
     return arguments.strict && isBad ? kExitNotFinite : kExitDone;
@@ -95,7 +99,7 @@ void addInspectCommand(Command app) {
     const auto arguments = std::make_shared<InspectArguments>();
     arguments->scene.isRun = false;
     addSceneArguments(command, arguments->scene);
-    command.option("--json", arguments->json, "All findings and needs as JSON").type("FILE");
+    addJsonArgument(command, arguments->json, "All findings and needs");
     command.flag("--strict", arguments->strict, "Exit code 1 when there is a warning");
     command.runs([arguments] { return inspect(*arguments); });
 }

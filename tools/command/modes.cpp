@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <swept/samples/render/contact_sheet.h>
@@ -17,8 +18,10 @@
 #include "../bench/run_time.h"
 #include "../writers/number_text.h"
 #include "../writers/output_files.h"
+#include "../writers/report_json.h"
 #include "camera.h"
 #include "commands.h"
+#include "json_output.h"
 #include "picture_output.h"
 #include "scene_source.h"
 
@@ -32,6 +35,7 @@ constexpr const char* kPanelSize = "420x440";  // of each
 
 struct ModesArguments {
     SceneArguments scene;
+    std::string json;
     std::string png;
     std::string size;  ///< kPanelSize where none is given
     CameraArguments camera;
@@ -84,21 +88,35 @@ bool runMode(const LoadedScene& loaded, SceneContinuous mode, ModeRun& run, std:
     return true;
 }
 
-void printTable(const LoadedScene& loaded, const std::vector<ModeRun>& runs) {
-    std::cout << loaded.source << ": " << countText(loaded.steps, "step") << " in each mode\n"
-              << "mode         impacts   sweeps      TOI  lost (ms)  energy gained (J)  deepest (mm)  us a step\n";
+void printTable(std::ostream& out, const LoadedScene& loaded, const std::vector<ModeRun>& runs) {
+    out << loaded.source << ": " << countText(loaded.steps, "step") << " in each mode\n"
+        << "mode         impacts   sweeps      TOI  lost (ms)  energy gained (J)  deepest (mm)  us a step\n";
     for (const ModeRun& run : runs) {
         const auto steps = static_cast<double>(std::max<std::int64_t>(loaded.steps, 1));
         // No part of what there was: where energy counts from, and with it that part, is anyone's choice.
         const double energy = run.report.endEnergy - run.report.startEnergy;
-        std::cout << std::left << std::setw(12) << run.name << std::right << std::setw(8)
-                  << roundedText(run.counter("impacts"), 9) << std::setw(9) << roundedText(run.counter("sweeps"), 9)
-                  << std::setw(9) << roundedText(run.counter("toiCalls"), 9) << std::setw(11)
-                  << roundedText(1000 * run.lostSeconds) << std::setw(19) << roundedText(withoutMinusZero(energy))
-                  << std::setw(14) << roundedText(1000 * run.report.deepestPenetration, 3) << std::setw(11)
-                  << roundedText(1e6 * run.seconds / steps, 3) << '\n';
+        out << std::left << std::setw(12) << run.name << std::right << std::setw(8)
+            << roundedText(run.counter("impacts"), 9) << std::setw(9) << roundedText(run.counter("sweeps"), 9)
+            << std::setw(9) << roundedText(run.counter("toiCalls"), 9) << std::setw(11)
+            << roundedText(1000 * run.lostSeconds) << std::setw(19) << roundedText(withoutMinusZero(energy))
+            << std::setw(14) << roundedText(1000 * run.report.deepestPenetration, 3) << std::setw(11)
+            << roundedText(1e6 * run.seconds / steps, 3) << '\n';
     }
-    std::cout << "lost: of their steps, by all bodies together\n";
+    out << "lost: of their steps, by all bodies together\n";
+}
+
+std::string modesJson(const LoadedScene& loaded, const std::vector<ModeRun>& runs) {
+    ReportJson json = headOf(loaded.scene, factsOf(loaded));
+    json["modes"] = ReportJson::array();
+    for (const ModeRun& run : runs) {
+        ReportJson entry;
+        entry["continuous"] = run.name;
+        const double simulated = static_cast<double>(loaded.steps) * loaded.scene.settings.dt;
+        if (simulated > 0) { entry["cost"] = run.seconds / simulated; }
+        addTotals(entry, loaded.scene, run.report);
+        json["modes"].push_back(std::move(entry));
+    }
+    return jsonText(json);
 }
 
 std::string captionOf(const ModeRun& run) {
@@ -175,6 +193,7 @@ int compareModes(const ModesArguments& arguments) {
     OutputFiles outputs;
     outputs.protect(loaded->file);
     outputs.addFile("--png", arguments.png);
+    outputs.addStream("--json", arguments.json);
     if (outputs.refuseClashes(error)) { error = endingFault("--png", arguments.png, "PNG"); }
     if (!error.empty() || !outputs.open(error)) { return refuse(error); }
     std::vector<ModeRun> runs;
@@ -188,8 +207,9 @@ int compareModes(const ModesArguments& arguments) {
         outputs.discard();
         return refuse(error);
     }
+    if (std::ostream* const json = outputs.stream(arguments.json)) { *json << modesJson(*loaded, runs); }
     if (!outputs.close(error)) { return refuse(error); }
-    printTable(*loaded, runs);
+    printTable(toldBeside(arguments.json), *loaded, runs);
     return kExitDone;
 }
 
@@ -202,6 +222,7 @@ void addModesCommand(Command app) {
     const auto arguments = std::make_shared<ModesArguments>();
     addSceneArguments(command, arguments->scene);
     addPrecisionArgument(command, arguments->scene);
+    addJsonArgument(command, arguments->json, "The totals of each mode");
     command.option("--png", arguments->png, "Draw the last step of each mode, side by side").type("FILE");
     command.option("--size", arguments->size, "Pixels of each of them [420x440]").type("WxH");
     addCameraArguments(command, arguments->camera);

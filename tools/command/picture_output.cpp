@@ -67,6 +67,7 @@ RenderOptions renderOptions(const PictureArguments& arguments, const Camera& cam
     options.velocities = arguments.velocities;
     options.ghosts = arguments.ghosts;
     options.sweeps = arguments.sweeps;
+    options.labels = arguments.labels;
     return options;
 }
 
@@ -177,9 +178,10 @@ std::string faultOf(const PictureArguments& arguments, double duration) {
     }
     if (const std::string fault = endingFault("--webp", arguments.webp, "WebP"); !fault.empty()) { return fault; }
     const bool draws = !arguments.directory.empty() || !arguments.webp.empty();
-    if (!draws &&
-        (arguments.trails || arguments.contacts || arguments.velocities || arguments.ghosts || arguments.sweeps)) {
-        return "--trails, --contacts, --velocities, --ghosts and --sweeps need --png or --webp";
+    const bool hasMarks = arguments.trails || arguments.contacts || arguments.velocities || arguments.ghosts ||
+                          arguments.sweeps || arguments.labels;
+    if (!draws && hasMarks) {
+        return "--trails, --contacts, --velocities, --ghosts, --sweeps and --labels need --png or --webp";
     }
     const bool hasCamera = !arguments.camera.view.empty() || !arguments.camera.follow.empty();
     if (!draws && (arguments.every || !arguments.size.empty() || hasCamera)) {
@@ -219,6 +221,8 @@ void addPictureArguments(Command command, PictureArguments& arguments) {
     command.flag("--sweeps", arguments.sweeps,
                  "Draw the last step: what moved, its impacts and their normals, lost time, what it cost");
     command.flag("--ghosts", arguments.ghosts, "Draw the bodies where they met something within the step");
+    command.flag("--labels", arguments.labels,
+                 "Write the names of the bodies at their origins, as far as there is room");
 }
 
 std::string endingFault(const std::string& flag, const std::string& path, const std::string& format) {

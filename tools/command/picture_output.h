@@ -29,6 +29,7 @@ struct PictureArguments {
     bool velocities = false;
     bool ghosts = false;
     bool sweeps = false;
+    bool labels = false;
 };
 
 /// The steps of a run that are told of: from the state after `first` steps to that after `last`.

@@ -54,7 +54,9 @@ std::optional<std::vector<Override>> splitOverrides(const std::vector<std::strin
 
 std::string unknownScene(const std::string& name) {
     std::string text = name + ": no such file, and no built-in scene of that name";
-    const std::string nearest = nearestSceneName(name);
+    std::error_code ignored;
+    const std::string file = name + ".json";
+    const std::string nearest = std::filesystem::is_regular_file(file, ignored) ? file : nearestSceneName(name);
     return text + (nearest.empty() ? " (\"swept scenes\" lists them)" : "; did you mean \"" + nearest + "\"?");
 }
 

@@ -20,7 +20,9 @@
 #include "../writers/number_text.h"
 #include "../writers/output_files.h"
 #include "commands.h"
+#include "json_output.h"
 #include "scene_source.h"
+#include "tune_json.h"
 
 namespace swept {
 namespace {
@@ -29,6 +31,7 @@ struct TuneArguments {
     SceneArguments scene;
     std::vector<std::string> limits;
     std::string out;
+    std::string json;
     std::string shard;
     bool gather = false;
     bool ablate = false;
@@ -53,7 +56,15 @@ struct Task {
     tune::TuneOptions options;
     std::string source;
     std::string directory;
+    std::string json;
+    RunFacts facts;
 };
+
+std::ostream& told(const Task& task) { return toldBeside(task.json); }
+
+TuneQuestion questionOf(const Task& task, const tune::Knowledge& known) {
+    return {task.facts, task.options.subject, task.options.limits, known};
+}
 
 bool readTask(const TuneArguments& arguments, const tune::Team& team, Task& task, std::string& error) {
     if (arguments.scene.scene == "-" && team.size() > 1) {
@@ -75,18 +86,29 @@ bool readTask(const TuneArguments& arguments, const tune::Team& team, Task& task
         error = "--ablate: is a dozen runs, for one process; --shard, --gather and mpirun share the search";
         return false;
     }
+    if (!arguments.shard.empty() && !arguments.json.empty()) {
+        error = "--json: is the advice of the whole search; a shard has none";
+        return false;
+    }
     if (loaded->steps < kFewestSteps) {
         error = "too short: tune needs " + std::to_string(kFewestSteps) + " steps at least";
         return false;
     }
     task.source = loaded->source;
     task.directory = directoryOf(arguments, *loaded);
+    task.json = arguments.json;
     OutputFiles results;
     results.protect(loaded->file);
     results.addDirectory("--out", arguments.out);
-    for (const char* const name : {kTuned, kLean, kAblation}) { results.addFile("--out", task.directory + name); }
+    for (const char* const name : {kTuned, kLean, kAblation, "/tune.csv", "/tune.png", "/tune.svg"}) {
+        results.addFile("--out", task.directory + name);
+    }
+    results.addStream("--json", arguments.json);
     if (!results.refuseClashes(error)) { return false; }
     task.options.subject = {loaded->scene, loaded->steps + loaded->steps % 2};
+    task.facts = factsOf(*loaded);
+    task.facts.precision.clear();  // both are tried
+    task.facts.steps = task.options.subject.ticks;
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     task.options.threads = arguments.threads > 0 ? arguments.threads : (team.size() > 1 ? 1 : cores);
     return true;
@@ -94,23 +116,24 @@ bool readTask(const TuneArguments& arguments, const tune::Team& team, Task& task
 
 void printHead(const Task& task, const tune::Knowledge& known) {
     const tune::Subject& subject = task.options.subject;
-    std::cout << bench::machineText() << "\ntune " << task.source << ": " << subject.ticks << " steps of "
-              << roundedText(1e3 * subject.scene.settings.dt) << " ms; compared with " << known.reference << '\n';
+    std::ostream& out = told(task);
+    out << bench::machineText() << "\ntune " << task.source << ": " << subject.ticks << " steps of "
+        << roundedText(1e3 * subject.scene.settings.dt) << " ms; compared with " << known.reference << '\n';
     for (const tune::Limit& limit : task.options.limits) {
         const measures::MeasureInfo& info = measures::infoOf(limit.measure);
-        std::cout << (limit.implied ? "and always: " : "accepted: ") << info.name << ' ' << roundedText(limit.value)
-                  << (std::string(info.unit) == "1" ? "" : std::string(" ") + info.unit);
+        out << (limit.implied ? "and always: " : "accepted: ") << info.name << ' ' << roundedText(limit.value)
+            << (std::string(info.unit) == "1" ? "" : std::string(" ") + info.unit);
         if (limit.implied) {
-            std::cout << '\n';
+            out << '\n';
             continue;
         }
-        std::cout << " (" << info.definition;
+        out << " (" << info.definition;
         if (info.needsReference && known.uncertainty[limit.measure] > 0) {
-            std::cout << "; the reference is uncertain by " << roundedText(known.uncertainty[limit.measure], 2);
+            out << "; the reference is uncertain by " << roundedText(known.uncertainty[limit.measure], 2);
         }
-        std::cout << ")\n";
+        out << ")\n";
     }
-    std::cout << std::flush;
+    out << std::flush;
 }
 
 bool writeFile(const std::string& path, const std::string& text, std::string& error) {
@@ -128,39 +151,43 @@ bool removeOldAdvice(const std::string& directory, const char* name) {
     return std::filesystem::is_regular_file(path, ignored) && std::filesystem::remove(path, ignored);
 }
 
-int printAdvice(const Task& task, const tune::Knowledge& known, std::string& error) {
+int printAdvice(const Task& task, const tune::Knowledge& known, OutputFiles& results, std::string& error) {
     const tune::Subject& subject = task.options.subject;
     const tune::Verdict verdict = tune::judge(subject, known, task.options.limits);
     const bool hadAdvice = removeOldAdvice(task.directory, kTuned);
-    std::cout << '\n';
-    tune::writeTable(std::cout, subject, task.options.limits, known, verdict);
+    std::ostream& out = told(task);
+    out << '\n';
+    tune::writeTable(out, subject, task.options.limits, known, verdict);
     const std::string plotted = tune::plotRows(task.directory, subject, task.options.limits, known, verdict, error);
     if (!error.empty()) { return kExitBadInput; }
-    std::cout << '\n';
+    if (std::ostream* const json = results.stream(task.json)) {
+        *json << adviceJson(questionOf(task, known), verdict, task.directory + kTuned);
+    }
+    out << '\n';
     if (verdict.recommended < 0) {
-        std::cout << "None of " << known.rows.size() << " settings keeps these errors.";
+        out << "None of " << known.rows.size() << " settings keeps these errors.";
         if (verdict.nearest >= 0) {
             const tune::Row& row = known.rows[static_cast<std::size_t>(verdict.nearest)];
-            std::cout << " Nearest: " << tune::settingsText(subject, row.config);
+            out << " Nearest: " << tune::settingsText(subject, row.config);
         }
-        if (hadAdvice) { std::cout << "\nThe " << &kTuned[1] << " of an earlier search is taken away."; }
-        std::cout << "\nrows   " << task.directory << "/tune.csv\n" << plotted << '\n';
+        if (hadAdvice) { out << "\nThe " << &kTuned[1] << " of an earlier search is taken away."; }
+        out << "\nrows   " << task.directory << "/tune.csv\n" << plotted << '\n';
         return kNotKept;
     }
     const tune::Row& row = known.rows[static_cast<std::size_t>(verdict.recommended)];
-    std::cout << "Recommended: " << tune::settingsText(subject, row.config);
+    out << "Recommended: " << tune::settingsText(subject, row.config);
     const tune::Row* const own = known.find(tune::ownConfig(subject.scene));
     if (own != nullptr) {
         const bool isKept = tune::holds(tune::strain(*own, task.options.limits, known.uncertainty));
-        std::cout << tune::costText(row.cost, own->cost, isKept);
+        out << tune::costText(row.cost, own->cost, isKept);
     }
-    std::cout << '\n';
+    out << '\n';
     const std::string tuned = writeScene(tune::withConfig(subject.scene, row.config));
     if (!writeFile(task.directory + kTuned, tuned, error)) { return kExitBadInput; }
-    std::cout << "scene  " << task.directory << kTuned
-              << (row.config.engine == tune::Engine::f64 ? " (with --precision f64)" : "") << "\nrows   "
-              << task.directory << "/tune.csv (" << known.rows.size() << ")\n"
-              << plotted << '\n';
+    out << "scene  " << task.directory << kTuned
+        << (row.config.engine == tune::Engine::f64 ? " (with --precision f64)" : "") << "\nrows   " << task.directory
+        << "/tune.csv (" << known.rows.size() << ")\n"
+        << plotted << '\n';
     return kExitDone;
 }
 
@@ -180,41 +207,47 @@ bool readRows(tune::Store& store, const tune::Subject& subject, bool gather, tun
 }
 
 /// What the scene can do without, as it is.
-int ablateScene(const Task& task, tune::LazyReference& reference, tune::ProgressBar& bar) {
+int ablateScene(const Task& task, tune::LazyReference& reference, const tune::Knowledge& known, OutputFiles& results,
+                tune::ProgressBar& bar) {
     const tune::Subject& subject = task.options.subject;
     const std::vector<tune::Limit>& limits = task.options.limits;
     const tune::Ablation ablation =
         tune::ablate(subject, limits, reference.get(), task.options.threads,
                      [&bar](std::size_t done, std::size_t all) { bar.show("features", done, all); });
     bar.clear();
+    std::ostream& out = told(task);
+    std::string error;
+    if (std::ostream* const json = results.stream(task.json)) {
+        *json << ablationJson(questionOf(task, known), ablation, task.directory + kLean);
+    }
+    if (!results.close(error)) { return refuse(error); }
     if (!ablation.isDecided) {
         (void)removeOldAdvice(task.directory, kLean);
-        std::cout << "\nWhat it can do without is not decided: as it is, the scene does not keep these errors ("
-                  << tune::missedText(ablation.whole, limits, reference.get().uncertainty)
-                  << ").\nWithout --ablate, settings that do are looked for.\n";
+        out << "\nWhat it can do without is not decided: as it is, the scene does not keep these errors ("
+            << tune::missedText(ablation.whole, limits, reference.get().uncertainty)
+            << ").\nWithout --ablate, settings that do are looked for.\n";
         return kNotKept;
     }
-    std::cout << '\n';
-    tune::writeAblation(std::cout, limits, ablation);
+    out << '\n';
+    tune::writeAblation(out, limits, ablation);
     std::ostringstream csv;
     tune::writeAblationCsv(csv, ablation);
-    std::string error;
     std::error_code failure;
     std::filesystem::create_directories(task.directory, failure);
     if (!writeFile(task.directory + kAblation, csv.str(), error) ||
         !writeFile(task.directory + kLean, writeScene(tune::leanScene(subject, ablation)), error)) {
         return refuse("--out " + error);
     }
-    std::cout << "\nLeanest profile: ";
+    out << "\nLeanest profile: ";
     for (std::size_t i = 0; i < ablation.lean.features.size(); ++i) {
-        std::cout << (i == 0 ? "without " : ", ") << ablation.lean.features[i];
+        out << (i == 0 ? "without " : ", ") << ablation.lean.features[i];
     }
     if (ablation.lean.features.empty()) {
-        std::cout << "the scene as it is";
+        out << "the scene as it is";
     } else {
-        std::cout << tune::costText(ablation.lean.row.cost, ablation.whole.cost, true);
+        out << tune::costText(ablation.lean.row.cost, ablation.whole.cost, true);
     }
-    std::cout << "\nscene  " << task.directory << kLean << "\nrows   " << task.directory << kAblation << "\n";
+    out << "\nscene  " << task.directory << kLean << "\nrows   " << task.directory << kAblation << "\n";
     return kExitDone;
 }
 
@@ -235,6 +268,7 @@ int tuneScene(const TuneArguments& arguments) {
     // No minute of computing ends at a place that cannot be written.
     OutputFiles results;
     results.addDirectory("--out", task.directory);
+    results.addStream("--json", task.json);
     if (isFirst && !results.open(error)) { return refuseOnce(error); }
     tune::ProgressBar bar("tuning " + task.source, isFirst);
     tune::LazyReference reference(subject);
@@ -253,7 +287,7 @@ int tuneScene(const TuneArguments& arguments) {
     if (isFirst) {
         bar.clear();
         printHead(task, known);
-        if (arguments.ablate) { return ablateScene(task, reference, bar); }
+        if (arguments.ablate) { return ablateScene(task, reference, known, results, bar); }
         keepInStore(subject, there, known, store);
     }
     tune::tune(task.options, reference, *team, isFirst ? &store : nullptr, known,
@@ -262,12 +296,16 @@ int tuneScene(const TuneArguments& arguments) {
     if (!isFirst) { return kExitDone; }
     if (!store.good()) { return refuse("--out " + store.path() + ": could not be written to the end"); }
     if (!task.options.shard.isWhole()) {
-        std::cout << "shard " << arguments.shard << " is done: " << known.rows.size() << " rows in " << store.path()
-                  << "; when all are, the same command with --gather instead of --shard\n";
+        told(task) << "shard " << arguments.shard << " is done: " << known.rows.size() << " rows in " << store.path()
+                   << "; when all are, the same command with --gather instead of --shard\n";
         return kExitDone;
     }
-    const int code = printAdvice(task, known, error);
-    return error.empty() ? code : refuse("--out " + error);
+    const int code = printAdvice(task, known, results, error);
+    if (!error.empty()) {
+        results.discard();
+        return refuse("--out " + error);
+    }
+    return results.close(error) ? code : refuse(error);
 }
 
 }  // namespace
@@ -288,6 +326,7 @@ void addTuneCommand(Command app) {
         .type("MEASURE=VALUE")
         .oneValueEach();
     command.option("--out", arguments->out, "Directory for rows, plot and tuned scene [tune-NAME]").type("DIR");
+    addJsonArgument(command, arguments->json, "The advice and all rows (with --ablate: all features)");
     command.option("--threads", arguments->threads, "Runs at a time [all cores]").type("N").within(1, kMostThreads);
     command.option("--shard", arguments->shard, "Only the i-th of n parts of the work, into a file of its own")
         .type("i/n");

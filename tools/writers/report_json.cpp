@@ -82,8 +82,9 @@ ReportJson headOf(const SceneDescription& scene, const RunFacts& facts) {
 
 void addTotals(ReportJson& json, const SceneDescription& scene, const RunReport& report) {
     json["finite"] = report.finite;
+    json["counters"] = ReportJson::object();
     for (const NamedNumber& counter : report.counters) { json["counters"][counter.name] = countOf(counter.value); }
-    if (!report.counters.empty()) { json["lostTime"] = lostTimeOf(scene, report); }
+    json["lostTime"] = lostTimeOf(scene, report);
     if (const auto most = mostLostTime(report)) {
         json["mostLostTime"] =
             ReportJson{{"body", bodyName(scene, static_cast<std::size_t>(most->body))}, {"seconds", most->seconds}};

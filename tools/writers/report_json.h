@@ -19,8 +19,7 @@ using ReportJson = nlohmann::ordered_json;
 /// What ran: `scene`, `source`, `engine`, `precision`, `steps`, `time`, `from`, of those that there are.
 ReportJson headOf(const SceneDescription& scene, const RunFacts& facts);
 
-/// What came out of a run: `finite`, `counters`, `lostTime`, `deepestPenetration` … `stateHash`. An engine without
-/// counters keeps no book of lost time.
+/// What came out of a run: `finite`, `counters`, `lostTime`, `deepestPenetration` … `stateHash`.
 void addTotals(ReportJson& json, const SceneDescription& scene, const RunReport& report);
 
 /// As used, with the keys of the scene format; optional ones only where given.
