@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -188,6 +189,63 @@ TEST(Inspect, FindsChainsTheWrongWayRound) {
     scene.bodies[0].shapes.erase(scene.bodies[0].shapes.begin());
     expectOnly(scene, "chain-back", "/bodies/0/shapes/0");
     scene.bodies[1].position.x = 4;  // beside it
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+}
+
+TEST(Inspect, FindsAnglesThatSeemToBeDegrees) {
+    SceneDescription scene = soundScene();
+    scene.bodies[1].angle = 90;
+    scene.bodies[1].position.y = 3;
+    expectOnly(scene, "degrees", "/bodies/1");
+    EXPECT_EQ(remedyOf(scene, "degrees"), "if degrees were meant: 1.571");
+    EXPECT_EQ(inspectScene(scene).findings.front().severity, Severity::note);
+    for (const double angle : {1.5707963267948966, 5.0, -5.0, 12.566370614359172, 91.5}) {
+        scene.bodies[1].angle = angle;
+        EXPECT_TRUE(inspectScene(scene).findings.empty()) << angle;
+    }
+    scene.bodies[1].shapes = {build::box({0.5, 0.2}, {0, 0}, -45)};
+    expectOnly(scene, "degrees", "/bodies/1");
+}
+
+/// A platform that was listed clockwise is a drum, which has no room for what falls on it.
+TEST(Inspect, FindsHollowLoopsThatBodiesStandIn) {
+    SceneDescription scene = soundScene();
+    const auto platform = [&](double thickness, bool isSolid) {
+        ChainGeometry loop{
+            {{-3, 2}, {-3, 2 + thickness}, {0, 2.1 + thickness}, {3, 2 + thickness}, {3, 2}}, true, {}, {}};
+        if (isSolid) { std::reverse(loop.points.begin(), loop.points.end()); }
+        ShapeDescription shape;
+        shape.geometry = loop;
+        scene.bodies.resize(2);
+        scene.bodies[1].position.y = 6;
+        build::addFixed(scene, "platform", {0, 0}, {shape});
+    };
+    platform(0.3, false);
+    expectOnly(scene, "chain-hollow", "/bodies/2/shapes/0");
+    scene.bodies[2].angle = 0.1;
+    scene.bodies[2].position.x = 1;
+    expectOnly(scene, "chain-hollow", "/bodies/2/shapes/0");
+    scene.bodies[2].shapes[0].sensor = true;
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+    platform(0.3, true);
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+    platform(1.2, false);
+    EXPECT_TRUE(inspectScene(scene).findings.empty()) << "it falls into it";
+    platform(0.3, false);
+    scene.bodies[1].position.x = 4;
+    EXPECT_TRUE(inspectScene(scene).findings.empty()) << "beside it";
+    scene.bodies[1].position = {0, 1};
+    EXPECT_TRUE(inspectScene(scene).findings.empty()) << "below it";
+    // Whoever stands in it already is held by the floor of it; a ball that fits rolls in there.
+    platform(0.3, false);
+    scene.bodies[1].shapes = {circle(0.1)};
+    scene.bodies[1].position.y = 2.2;
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+    // Something else holds it before.
+    platform(0.3, false);
+    scene.bodies[1].shapes = {box({0.5, 0.5})};
+    EXPECT_FALSE(inspectScene(scene).findings.empty());
+    build::addFixed(scene, "lid", {0, 2.6}, {build::box({0.2, 0.01})});
     EXPECT_TRUE(inspectScene(scene).findings.empty());
 }
 

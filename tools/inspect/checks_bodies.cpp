@@ -32,6 +32,25 @@ void checkUnits(const PlacedScene& placed, const PlacedBody& body, std::vector<F
                         "give lengths in metres (divide pixels by pixels per metre), or scale gravity with them"});
 }
 
+/// Angles are in radians. Whole multiples of five beyond a turn are what people mean in degrees.
+void checkAngle(const PlacedBody& body, double angle, const std::string& what, std::vector<Finding>& findings) {
+    constexpr double kTurn = 6.283185307179586;
+    constexpr double kUsual = 5;  // degrees
+    if (std::fabs(angle) <= kTurn || std::fmod(angle, kUsual) != 0) { return; }
+    findings.push_back({Severity::note, "degrees", pointerOf(body),
+                        body.name + " has " + what + ' ' + roundedText(angle) + " rad, " +
+                            roundedText(std::fabs(angle) / kTurn, 3) + " turns",
+                        "if degrees were meant: " + roundedText(angle / 360 * kTurn)});
+}
+
+void checkAngles(const PlacedBody& body, std::vector<Finding>& findings) {
+    checkAngle(body, body.description->angle, "an angle of", findings);
+    for (const ShapeDescription& shape : body.description->shapes) {
+        const auto* const box = std::get_if<BoxGeometry>(&shape.geometry);
+        if (box != nullptr) { checkAngle(body, box->angle, "a box at an angle of", findings); }
+    }
+}
+
 void checkStepAgainstSize(const PlacedScene& placed, const PlacedBody& body, std::vector<Finding>& findings) {
     const double gravity = gravityOf(placed, body);
     const double dt = placed.scene->settings.dt;
@@ -152,6 +171,7 @@ void checkBodies(const PlacedScene& placed, std::vector<Finding>& findings) {
             checkStepAgainstSize(placed, body, findings);
         }
         checkPlace(body, findings);
+        checkAngles(body, findings);
         checkSpeed(placed, body, wall, findings);
         checkBullet(placed, body, findings);
     }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <set>
 #include <string>
@@ -36,6 +37,24 @@ Below below(const PlacedScene& placed, const PlacedPiece& piece, const PlacedBod
     if (piece.segment < 0) { return Below::holds; }
     const DVec2 along = apply(pose, piece.polygon.vertices[1]) - apply(pose, piece.polygon.vertices[0]);
     return dot(fall, DVec2{along.y, -along.x}) > 0 ? Below::passes : Below::holds;  // it collides on its right
+}
+
+/// How far below the centre of a body the line of its fall meets a piece; of what is no segment, at least.
+double depthOf(const PlacedScene& placed, const PlacedPiece& piece, const PlacedBody& body, DVec2 fall) {
+    const WorldTransform& pose = placed.bodies[static_cast<std::size_t>(piece.body)].pose;
+    const DVec2 across{-fall.y, fall.x};
+    if (piece.segment < 0) {
+        double depth = std::numeric_limits<double>::infinity();
+        for (const Vec2 vertex : piece.polygon.points()) {
+            depth = std::min(depth, dot(fall, apply(pose, vertex) - body.center));
+        }
+        return depth - static_cast<double>(piece.polygon.radius);
+    }
+    const DVec2 from = apply(pose, piece.polygon.vertices[0]) - body.center;
+    const DVec2 along = apply(pose, piece.polygon.vertices[1]) - body.center - from;
+    const double width = dot(across, along);
+    const double fraction = width != 0 ? std::clamp(-dot(across, from) / width, 0.0, 1.0) : 0.0;
+    return dot(fall, from + fraction * along);
 }
 
 /// The ground of a scene, to be asked what lies on a line.
@@ -85,17 +104,57 @@ private:
     bool isWhole_ = true;
 };
 
-/// The chain that a body falls through, with nothing else below it; null: there is none, or something holds it.
-const PlacedPiece* chainPassed(const PlacedScene& placed, const Ground& ground, const PlacedBody& body,
-                               const PlacedPiece& own, DVec2 fall) {
-    const PlacedPiece* passed = nullptr;
+/// The nearest piece below a body of those that do the same to it.
+struct Nearest {
+    const PlacedPiece* piece = nullptr;  ///< null: there is none
+    double depth = std::numeric_limits<double>::infinity();
+
+    void offer(const PlacedPiece* other, double otherDepth) {
+        if (piece == nullptr || otherDepth < depth) { *this = {other, otherDepth}; }
+    }
+};
+
+/// The chain that a body falls through from its back.
+struct Passage {
+    const PlacedPiece* chain = nullptr;  ///< null: there is none, or something else holds the body
+    /// From there to where another side of the same chain holds it, metres; infinite: nothing does.
+    double room = std::numeric_limits<double>::infinity();
+};
+
+Passage passageOf(const PlacedScene& placed, const Ground& ground, const PlacedBody& body, const PlacedPiece& own,
+                  DVec2 fall) {
+    Nearest passing;
+    Nearest holding;
     for (const PlacedPiece* const piece : ground.along(body, fall)) {
         if (!mayCollide(placed, *piece, own)) { continue; }
         const Below how = below(placed, *piece, body, fall);
-        if (how == Below::holds) { return nullptr; }
-        if (how == Below::passes && passed == nullptr) { passed = piece; }
+        if (how == Below::beside) { continue; }
+        (how == Below::holds ? holding : passing).offer(piece, depthOf(placed, *piece, body, fall));
     }
-    return passed;
+    if (passing.piece == nullptr || holding.piece == nullptr) { return {passing.piece}; }
+    const bool isSame = passing.piece->body == holding.piece->body && passing.piece->shape == holding.piece->shape;
+    if (!isSame || holding.depth < passing.depth) { return {}; }
+    return {passing.piece, holding.depth - passing.depth};
+}
+
+/// What is wrong with a passage for a body that is so large; no kind: nothing.
+Finding findingOf(const Passage& passage, const PlacedBody& body, double extent) {
+    Finding finding{Severity::warning, "", pointerOf(*passage.chain), "", ""};
+    if (!std::isfinite(passage.room)) {
+        finding.kind = "chain-back";
+        finding.text = body.name +
+                       " falls through this chain from its back, and nothing else is below: a chain collides on the "
+                       "right-hand side of its direction alone";
+        finding.remedy = "list its points the other way round (ground from right to left)";
+    } else if (passage.room < extent) {
+        finding.kind = "chain-hollow";
+        finding.text = body.name + " (" + metres(extent) +
+                       ") falls into this chain from its back, and is held by its other side " + metres(passage.room) +
+                       " below: it comes to rest in the middle of it";
+        finding.remedy =
+            "list its points the other way round (a loop counter-clockwise is solid, clockwise it is hollow)";
+    }
+    return finding;
 }
 
 }  // namespace
@@ -108,12 +167,11 @@ void checkChains(const PlacedScene& placed, std::vector<Finding>& findings) {
         const PlacedBody& body = placed.bodies[static_cast<std::size_t>(own.body)];
         const DVec2 gravity = body.description->gravityScale * placed.scene->gravity;
         if (!body.isDynamic() || !(length(gravity) > 0) || body.joints > 0) { continue; }
-        const PlacedPiece* const chain = chainPassed(placed, ground, body, own, (1 / length(gravity)) * gravity);
-        if (chain == nullptr || !told.insert({chain->body, chain->shape}).second) { continue; }
-        findings.push_back({Severity::warning, "chain-back", pointerOf(*chain),
-                            body.name + " falls through this chain from its back, and nothing else is below: a chain "
-                                        "collides on the right-hand side of its direction alone",
-                            "list its points the other way round (ground from right to left)"});
+        const Passage passage = passageOf(placed, ground, body, own, (1 / length(gravity)) * gravity);
+        if (passage.chain == nullptr) { continue; }
+        Finding finding = findingOf(passage, body, own.extent);
+        if (finding.kind.empty() || !told.insert({passage.chain->body, passage.chain->shape}).second) { continue; }
+        findings.push_back(std::move(finding));
     }
 }
 
