@@ -56,6 +56,10 @@ std::optional<CommonMistake> commonMistake(std::string_view text, std::size_t of
         if (before == std::string_view::npos || text[before] != ',') { return std::nullopt; }
         return CommonMistake{before, std::string("a trailing comma: nothing follows it before ") + text[offset]};
     }
+    if (text[offset] == '\'') { return CommonMistake{offset, "strings have double quotes, not single ones"}; }
+    if (text[offset] == '/' || (offset > 0 && text[offset - 1] == '/')) {
+        return CommonMistake{text[offset] == '/' ? offset : offset - 1, "JSON has no comments"};
+    }
     const auto isOfWord = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-'; };
     std::size_t begin = offset;
     std::size_t end = offset;
@@ -66,6 +70,43 @@ std::optional<CommonMistake> commonMistake(std::string_view text, std::size_t of
                                                "infinity", "-infinity", "inf",  "-inf", "Inf",      "-Inf"};
     if (std::find(std::begin(kNoNumbers), std::end(kNoNumbers), word) == std::end(kNoNumbers)) { return std::nullopt; }
     return CommonMistake{begin, std::string(word) + " is no JSON number"};
+}
+
+/// Where the token begins that ends at `offset`.
+std::size_t beginOfToken(std::string_view text, std::size_t offset) {
+    const auto isOfWord = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '+' ||
+               c == '.';
+    };
+    std::size_t begin = offset;
+    if (text[offset] != '"') {
+        while (isOfWord(text[offset]) && begin > 0 && isOfWord(text[begin - 1])) { --begin; }
+        return begin;
+    }
+    const auto isEscaped = [text](std::size_t at) {
+        std::size_t first = at;
+        while (first > 0 && text[first - 1] == '\\') { --first; }
+        return (at - first) % 2 == 1;
+    };
+    while (begin > 0) {
+        --begin;
+        if (text[begin] == '"' && !isEscaped(begin)) { break; }
+    }
+    return begin;
+}
+
+/// Two members or elements with nothing between them.
+/// @param offset   of the last character of the second
+/// @param message  of the parser
+std::optional<CommonMistake> missingComma(std::string_view text, std::size_t offset, std::string_view message) {
+    const bool inObject = message.ends_with("expected '}'");
+    if (offset >= text.size() || (!inObject && !message.ends_with("expected ']'"))) { return std::nullopt; }
+    const std::size_t begin = beginOfToken(text, offset);
+    const std::string_view token = text.substr(begin, offset + 1 - begin);
+    const std::string_view starts = inObject ? "\"" : "\"[{-0123456789tfn";
+    const bool isOddNumber = token.size() > 1 && token[0] == '0' && token[1] >= '0' && token[1] <= '9';  // 01
+    if (starts.find(token[0]) == std::string_view::npos || isOddNumber) { return std::nullopt; }
+    return CommonMistake{begin, "a comma is missing before " + std::string(token)};
 }
 
 // Builds the value and keeps the path, so that errors can name their place.
@@ -113,7 +154,11 @@ public:
         if (const auto mistake = commonMistake(text_, offset)) {
             return fail(lineAndColumn(text_, mistake->offset), mistake->reason);
         }
-        return fail(lineAndColumn(text_, offset), plainMessage(error.what()));
+        const std::string message = plainMessage(error.what());
+        if (const auto mistake = missingComma(text_, offset, message)) {
+            return fail(lineAndColumn(text_, mistake->offset), mistake->reason);
+        }
+        return fail(lineAndColumn(text_, offset), message);
     }
 
 private:

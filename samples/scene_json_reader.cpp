@@ -110,7 +110,7 @@ public:
             std::size_t kind = 0;
             while (kind < names.size() && names[kind] != key) { ++kind; }
             if (kind == names.size()) {
-                if (!readMember(key, member, here, shape)) { return handled(here, key, allShapeKeys()); }
+                if (!readMember(key, member, here, shape)) { return handled(here, key, allShapeKeys(), ownerOf(key)); }
                 continue;
             }
             if (!geometry.empty()) {
@@ -158,8 +158,26 @@ private:
     }
 
     // False: `error_` says why, or else the key was unknown, and then this becomes the error.
-    bool handled(const Place& place, std::string_view key, const std::vector<std::string_view>& known) {
-        return fail(place, "unknown key " + inQuotes(key) + suggestion(key, known));
+    bool handled(const Place& place, std::string_view key, const std::vector<std::string_view>& known,
+                 const std::string& owner = {}) {
+        return fail(place, "unknown key " + inQuotes(key) +
+                               (owner.empty() ? suggestion(key, known) : "; it belongs to " + owner));
+    }
+
+    template <class Object>
+    static bool isKeyOf(std::string_view key) {
+        std::vector<std::string_view> keys;
+        appendKeys<Object>(keys);
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    }
+
+    // Where else a scene has such a key; empty: nowhere.
+    static std::string ownerOf(std::string_view key) {
+        const std::vector<std::string_view> ofShapes = allShapeKeys();
+        if (std::find(ofShapes.begin(), ofShapes.end(), key) != ofShapes.end()) { return "shapes"; }
+        if (isKeyOf<BodyDescription>(key)) { return "bodies"; }
+        if (isKeyOf<SettingsDescription>(key)) { return "\"settings\""; }
+        return isKeyOf<SceneDescription>(key) ? "the scene itself" : "";
     }
 
     template <class Object>
@@ -209,7 +227,10 @@ private:
             if (!readMember(key, member, here, object)) {
                 std::vector<std::string_view> known;
                 appendKeys<Object>(known);
-                return handled(here, key, known);
+                constexpr bool isOfScene = std::is_same_v<Object, SceneDescription> ||
+                                           std::is_same_v<Object, BodyDescription> ||
+                                           std::is_same_v<Object, SettingsDescription>;
+                return handled(here, key, known, isOfScene ? ownerOf(key) : "");
             }
         }
         return hasRequired<Object>(value, place);

@@ -54,6 +54,15 @@ TEST(StrictJson, NamesCommonMistakes) {
     };
     for (const Case& c : {Case{"[1, 2,]", "line 1, column 6", "a trailing comma: nothing follows it before ]"},
                           Case{"{\"a\": 1,\n }", "line 1, column 8", "a trailing comma: nothing follows it before }"},
+                          Case{"[1 2]", "line 1, column 4", "a comma is missing before 2"},
+                          Case{"[[1]\n [2]]", "line 2, column 2", "a comma is missing before ["},
+                          Case{"[{} {}]", "line 1, column 5", "a comma is missing before {"},
+                          Case{"[true false]", "line 1, column 7", "a comma is missing before false"},
+                          Case{"{\"a\": 1 \"b c\": 2}", "line 1, column 9", "a comma is missing before \"b c\""},
+                          Case{"{\"a\": {}\n\"\\\"\": 2}", "line 2, column 1", "a comma is missing before \"\\\"\""},
+                          Case{"{'a': 1}", "line 1, column 2", "strings have double quotes, not single ones"},
+                          Case{"[1, // one\n 2]", "line 1, column 5", "JSON has no comments"},
+                          Case{"[1 /* one */]", "line 1, column 4", "JSON has no comments"},
                           Case{"[1, NaN]", "line 1, column 5", "NaN is no JSON number"},
                           Case{"{\"a\": nan}", "line 1, column 7", "nan is no JSON number"},
                           Case{"[-Infinity]", "line 1, column 2", "-Infinity is no JSON number"},
@@ -63,10 +72,11 @@ TEST(StrictJson, NamesCommonMistakes) {
         EXPECT_EQ(result.error->where, c.where) << c.text;
         EXPECT_EQ(result.error->reason, c.reason) << c.text;
     }
-    for (const char* const other : {"[]]", "[1 2]", "nul", "[,]", "}", "[names]", ","}) {
+    for (const char* const other : {"[]]", "[01]", "nul", "[,]", "}", "[names]", ",", "[1", "{\"a\": 1 2}", "{} {}"}) {
         const JsonResult result = parseStrict(other);
         ASSERT_TRUE(result.error.has_value()) << other;
         EXPECT_EQ(result.error->reason.find("no JSON number"), std::string::npos) << other;
+        EXPECT_EQ(result.error->reason.find("comma"), std::string::npos) << other;
     }
 }
 
