@@ -1,5 +1,6 @@
 #include "body_mass.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "../state/number_range.h"
@@ -70,6 +71,7 @@ void updateMass(WorldState& world, std::uint32_t slot) {
     body.mass = body.isDynamic() && hasInverse(total.mass) ? total.mass : 0;
     body.inertia = body.isDynamic() ? total.inertia : 0;
     body.inverseMass = body.mass > 0 ? static_cast<Real>(1 / body.mass) : Real(0);
+    world.mostInverseMass = std::max(world.mostInverseMass, body.inverseMass);
     resistTurns(world, slot);
     world.travels[slot].boxRoom = 0;
     measure(world, slot);

@@ -18,6 +18,7 @@ void addMeasures(WorldState& world, Body& body, std::span<const std::uint32_t> s
         body.widest = std::max(body.widest, shape.extent);
         body.radius = std::max(body.radius, shape.radius);
     }
+    if (body.isDynamic() && body.widest > 0) { world.leastWidth = std::min(world.leastWidth, body.widest); }
 }
 
 }  // namespace

@@ -67,7 +67,8 @@ void noteMotion(WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
     noteTravel(world, slot);
     BodyGlance& glance = world.glances[slot];
-    glance.ahead = reachOfMotion(glance.motion, body.widest, false);
+    const Real reaching = glance.isStirred ? std::max(glance.motion, kStirRatio * body.widest) : glance.motion;
+    glance.ahead = reachOfMotion(reaching, body.widest, false);
     glance.turned = world.travels[slot].turned;
     glance.reach = reachFrom(body, glance.center, glance.ahead);
     if (body.isDynamic()) {
@@ -79,7 +80,7 @@ void noteMotion(WorldState& world, std::uint32_t slot) {
         glance.widest = body.widest;
     }
     // As nearly always: its boxes were made where it is, and it is no faster than it was.
-    if (glance.motion <= world.travels[slot].boxMotion) { return; }
+    if (reaching <= world.travels[slot].boxMotion) { return; }
     world.travels[slot].boxRoom = 0;
     for (const std::uint32_t index : body.shapes) {
         world.neededBoxes[static_cast<std::size_t>(world.shapes[index].proxy)] = neededBox(world, world.shapes[index]);
@@ -107,7 +108,7 @@ Real contactReach(const WorldState& world, const Shape& shape) {
     const Vec2 velocity = world.motions[shape.body].velocity;
     // What is fast along one axis is told without a root, and many of those that are asked for their reach are.
     if (!isAhead && dt * std::max(std::fabs(velocity.x), std::fabs(velocity.y)) >= most) { return most; }
-    return reachOfMotion(motionBound(world, shape.body, dt), shape.extent, isAhead);
+    return reachOfMotion(reachMotion(world, shape.body, dt), shape.extent, isAhead);
 }
 
 bool isAhead(const WorldState& world, const Contact& contact) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "../state/tolerances.h"
 #include "body_mode.h"
@@ -54,7 +55,7 @@ Aabb neededBoxOf(const WorldState& world, const Shape& shape, Real motion) {
 }  // namespace
 
 Aabb neededBox(const WorldState& world, const Shape& shape) {
-    return neededBoxOf(world, shape, motionBound(world, shape.body, static_cast<Real>(world.lastDt)));
+    return neededBoxOf(world, shape, reachMotion(world, shape.body, static_cast<Real>(world.lastDt)));
 }
 
 namespace {
@@ -91,7 +92,7 @@ Real noteBoxes(WorldState& world, std::uint32_t slot) {
         world.travels[slot].boxMotion = std::numeric_limits<Real>::max();
         return alongAxis;
     }
-    const Real bound = motionBound(world, slot, dt);
+    const Real bound = reachMotion(world, slot, dt);
     // Contacts reach that far ahead of what moves less.
     const Real least = kMinReachRatio * body.extent;
     const bool isSlow = bound <= least && body.isDynamic();
@@ -113,7 +114,7 @@ bool keepsBoxes(const WorldState& world, std::uint32_t slot) {
     const double moved = lengthAtMost(motion.center - travel.boxCenter) +
                          std::fabs(motion.angle - travel.boxAngle) * static_cast<double>(world.bodies[slot].radius);
     return moved <= travel.boxRoom / 2 &&  // half of it is for rounding
-           motionBound(world, slot, static_cast<Real>(world.lastDt)) <= travel.boxMotion;
+           reachMotion(world, slot, static_cast<Real>(world.lastDt)) <= travel.boxMotion;
 }
 
 /// Kept for the stage of contacts of the next step.
@@ -184,7 +185,7 @@ void renewProxies(WorldState& world, std::uint32_t body) {
 }
 
 void reachWithVelocity(WorldState& world, std::uint32_t body) {
-    const bool isFaster = motionBound(world, body, static_cast<Real>(world.lastDt)) > world.travels[body].boxMotion;
+    const bool isFaster = reachMotion(world, body, static_cast<Real>(world.lastDt)) > world.travels[body].boxMotion;
     if (isFaster) { updateProxies(world, body); }
 }
 

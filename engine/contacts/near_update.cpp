@@ -21,7 +21,7 @@ constexpr std::size_t kContactGrain = 32;
 template <bool kWatched>
 Real reachOf(const WorldState& world, std::uint32_t body, std::uint32_t shape, Real extent) {
     // What sleeps or never moves is rare beside what moves, or cheap.
-    if (!kWatched && isUp(world, body)) { return reachOfMotion(world.glances[body].motion, extent, false); }
+    if (!kWatched && isUp(world, body)) { return reachOfMotion(reachMotion(world.glances[body]), extent, false); }
     if (world.bodies[body].def.type == BodyType::fixed) { return 0; }
     return contactReach(world, world.shapes[shape]);
 }

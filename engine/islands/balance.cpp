@@ -69,6 +69,9 @@ bool markRestless(WorldState& world) {
         ++moving;
     }
     for (const JointChain& chain : world.jointChains.list) { restOf(world, chain.lowest).isRestless = true; }
+    for (const Stirred& stirred : world.stirs.bodies) {
+        if (world.bodies[stirred.body].awake) { restOf(world, stirred.body).isRestless = true; }
+    }
     return moving < world.tied.size();
 }
 

@@ -4,6 +4,7 @@
 
 #include "../bodies/awake.h"
 #include "../bodies/body_measures.h"
+#include "../bodies/stirred.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../crew/beside.h"
 #include "../islands/effort.h"
@@ -102,6 +103,7 @@ void runStages(WorldState& world, double dt) {
         reachAhead(world);
     }
     if (world.kinematicBodies > 0) { reachWithKinematicBodies(world); }
+    findStirred(world, dt);
     const bool isAnyDriven = !world.drivenJoints.empty();
     if (isAnyDriven) { beginDriven(world, dt); }
     findPairs(world);

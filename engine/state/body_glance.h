@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include "../../shapes/vec2.h"
 #include "body.h"
+#include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -16,7 +18,8 @@ struct alignas(kLineOfFloats) BodyGlance {
     Real reach =
         std::numeric_limits<Real>::infinity();  ///< none of its contact points is farther from the centre, metres
     // Of a dynamic body that is awake, as the stage of contacts began:
-    bool isFast = false;  ///< `Body::fast`; of others, never
+    bool isFast = false;     ///< `Body::fast`; of others, never
+    bool isStirred = false;  ///< contacts reach ahead of it, though it may rest (stirred.h)
     Vec2 velocity{};
     Vec2 pull{};      ///< its acceleration without contacts and joints
     Real swing = 0;   ///< no point moves faster about the centre of mass, m/s
@@ -25,6 +28,11 @@ struct alignas(kLineOfFloats) BodyGlance {
     /// As the stage of contacts began.
     bool isAwake() const { return !(motion < 0); }
 };
+
+/// The motion by which contacts reach ahead of a body that is awake, metres.
+inline Real reachMotion(const BodyGlance& glance) {
+    return glance.isStirred ? std::max(glance.motion, kStirRatio * glance.widest) : glance.motion;
+}
 
 /// How far any point of a body has turned about its centre since it was made, and the angle at which that was counted
 /// last.

@@ -31,6 +31,9 @@ inline constexpr Real kFastBulletRatio = Real(1) / 128;
 /// moves farther is fast, and swept), and at least as far as the second one, so that resting contacts never flicker.
 inline constexpr Real kMaxReachRatio = Real(1) / 4;
 inline constexpr Real kMinReachRatio = Real(1) / 128;
+/// What may come to move farther than this part of its extent in a step, since it is struck, is stirred (stirred.h): so
+/// far ahead of it contact points are made at least.
+inline constexpr Real kStirRatio = Real(1) / 8;
 /// By the two of them: how far ahead of a body contact points are made. @param motion  of a step, at most, metres
 /// @param isAhead  in mode `speculative`, however far
 constexpr Real reachOfMotion(Real motion, Real extent, bool isAhead) {

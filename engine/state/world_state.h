@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -48,6 +49,7 @@
 #include "sleeping_pairs.h"
 #include "slide.h"
 #include "solve_desk.h"
+#include "stirs.h"
 #include "touching.h"
 #include "workers.h"
 
@@ -87,6 +89,8 @@ struct WorldState : Workers {
     std::uint32_t kinematicBodies = 0;
     std::uint32_t fixedBodies = 0;  ///< never awake: static, or disabled
     std::uint32_t bulletBodies = 0;
+    Real leastWidth = std::numeric_limits<Real>::infinity();  ///< `Body::widest` of what is or was dynamic, or less
+    Real mostInverseMass = 0;                                 ///< likewise, 1/kg, or more
     std::uint32_t watchedBodies = 0;  ///< with a mode of their own that has work beside sweeps (modes.h)
     std::vector<std::uint32_t>
         unmeasured;  ///< slots of bodies that lost shapes, and are not dynamic: to be measured in the next step
@@ -105,11 +109,12 @@ struct WorldState : Workers {
     ParkedContacts parked;
     PairsOfShapes pairsOfShapes;
     std::vector<ContactPair> candidates;  ///< pairs of dynamic bodies that were never near enough to become contacts
-    std::vector<CandidateFate> candidateFates;      ///< by candidate, of this step
-    std::vector<ContactPair> promoted;              ///< scratch: candidates that become contacts
-    ContactLists lists;                             ///< of this step
-    std::vector<BodyGlance> glances;                ///< by body slot
-    std::vector<BodyTravel> travels;                ///< by body slot
+    std::vector<CandidateFate> candidateFates;  ///< by candidate, of this step
+    std::vector<ContactPair> promoted;          ///< scratch: candidates that become contacts
+    ContactLists lists;                         ///< of this step
+    std::vector<BodyGlance> glances;            ///< by body slot
+    std::vector<BodyTravel> travels;            ///< by body slot
+    Stirs stirs;
     std::vector<Aabb> neededBoxes;                  ///< by proxy: `neededBox` as of this step, or more
     std::vector<std::uint32_t> firstGroundContact;  ///< by body slot: see dropGhosts
     std::vector<std::uint32_t> nextGroundContact;   ///< by contact
@@ -214,6 +219,11 @@ inline Real motionBound(const WorldState& world, std::uint32_t slot, Real dt) {
         spin += dt * std::fabs(angularAccelerationOf(body));
     }
     return dt * (speed + spin * body.radius);
+}
+/// The motion by which contacts reach ahead of a body, metres.
+inline Real reachMotion(const WorldState& world, std::uint32_t slot, Real dt) {
+    const Real motion = motionBound(world, slot, dt);
+    return world.glances[slot].isStirred ? std::max(motion, kStirRatio * world.bodies[slot].widest) : motion;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION
