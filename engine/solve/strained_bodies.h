@@ -6,12 +6,14 @@
 
 #include "tied_group.h"
 
-/// Bodies whose contacts and joints cannot all hold: something kinematic presses them to what does not yield, or a torn
-/// joint pulls at what touches something. Impulses then grow with each relaxation, until springs give as much of them
-/// back: ones of four times the stiffness give back half, so all pushes, and what friction makes of them, are twice as
-/// strong. So ground is no stiffer for those than all else is, whatever the profile. (Else an arm that something
-/// kinematic turned against a post, and then beyond it, trembled, and was at 14 m/s where it was led at 3; and two
-/// crates on a hinge that a plate squeezed to the floor went at up to 8 times its speed, instead of 3.)
+/// Bodies whose contacts and joints cannot all hold: something kinematic presses them to what does not yield, from
+/// opposite sides, or a torn joint pulls at what touches something. What passes beside a body, without a push, squeezes
+/// nothing; nor does a wall at right angles to the floor, or a floor that is kinematic in part. Impulses then grow with
+/// each relaxation, until springs give as much of them back: ones of four times the stiffness give back half, so all
+/// pushes, and what friction makes of them, are twice as strong. So ground is no stiffer for those than all else is,
+/// whatever the profile. (Else an arm that something kinematic turned against a post, and then beyond it, trembled, and
+/// was at 14 m/s where it was led at 3; and two crates on a hinge that a plate squeezed to the floor went at up to 8
+/// times its speed, instead of 3.)
 
 namespace swept::inline SWEPT_PRECISION {
 
