@@ -149,21 +149,21 @@ Status World::setSpring(JointId id, std::optional<Spring> spring) {
 }
 
 Status World::setSpringTarget(JointId id, Real target) {
-    DrivenMove move;
+    Real farthest = 0;
     bool isAngle = false;
     const Status status =
         change(*state_, id, checkNumber(static_cast<double>(target), "springTarget"), [&](auto& part) {
             if constexpr (requires { part.def.springTarget; }) {
                 isAngle = std::is_same_v<std::remove_cvref_t<decltype(part)>, HingePart>;
-                move.farthest = std::fabs(target - part.def.springTarget);
+                if (part.def.spring) { farthest = std::fabs(target - part.def.springTarget); }
                 part.def.springTarget = target;
                 return true;
             }
             return false;
         });
     if (!status.ok()) { return status; }
-    if (isAngle) { move.farthest *= widestRadius(*state_, id); }
-    noteDriven(*state_, id, move);
+    if (isAngle) { farthest *= widestRadius(*state_, id); }
+    noteSpringDriven(*state_, id, farthest);
     return status;
 }
 

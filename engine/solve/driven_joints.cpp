@@ -57,9 +57,12 @@ void findMotion(DrivenJoint& driven, const WorldState& world, const Joint& joint
     };
     if (pace.any() && dt * speedOf(pace) > 2 * smallestOf(world, joint, &Body::radius)) { pace = {}; }
     driven.paceSpeed = speedOf(pace);
-    const bool yanks = isYank(world, joint, std::exchange(driven.jump, Real(0)) - dt * driven.paceSpeed);
+    // What the limits carry along is where its spring pulls to without being pulled.
+    const Real carried = dt * driven.paceSpeed;
+    const bool yanks = isYank(world, joint, std::exchange(driven.jump, Real(0)) - carried);
+    const bool springYanks = isYank(world, joint, std::exchange(driven.springJump, Real(0)) - carried);
     driven.motion = {yanks ? pace : LimitPace{now[0], now[1]}, pace};
-    driven.isYank = driven.isYank || yanks;
+    driven.isYank = driven.isYank || yanks || springYanks;
 }
 
 /// Of what follows a target it is known what it did (motor_work.h).
@@ -81,28 +84,42 @@ void tell(WorldState& world, const DrivenJoint& driven, const SolveDesk& desk) {
     }
 }
 
-}  // namespace
-
-void noteDriven(WorldState& world, JointId joint, const DrivenMove& move) {
-    if (!(move.farthest > 0)) { return; }
+DrivenJoint& noted(WorldState& world, JointId joint) {
     Joint& held = *world.joints.find(joint);
     if (held.driven == kNotDriven) {
         held.driven = static_cast<std::uint32_t>(world.drivenJoints.size());
         world.drivenJoints.push_back({.joint = joint});
     }
     DrivenJoint& driven = world.drivenJoints[held.driven];
-    if (!std::isfinite(move.farthest)) { driven.way = driven.speedBefore = {}; }  // these may be other limits
     driven.stepsLeft = kDrivenSteps;
+    return driven;
+}
+
+}  // namespace
+
+void noteDriven(WorldState& world, JointId joint, const DrivenMove& move) {
+    if (!(move.farthest > 0)) { return; }
+    DrivenJoint& driven = noted(world, joint);
+    if (!std::isfinite(move.farthest)) { driven.way = driven.speedBefore = {}; }  // these may be other limits
     driven.toGo += move.farthest;
     driven.jump = std::max(driven.jump, move.farthest);
     driven.lever = move.lever;
     for (std::size_t i = 0; i < driven.way.size(); ++i) { driven.way[i] += move.way[i]; }
 }
 
+void noteSpringDriven(WorldState& world, JointId joint, Real farthest) {
+    if (!(farthest > 0)) { return; }
+    DrivenJoint& driven = noted(world, joint);
+    driven.springToGo += farthest;
+    driven.springJump = std::max(driven.springJump, farthest);
+}
+
 void beginDriven(WorldState& world, double dt) {
     const auto step = static_cast<Real>(dt);
     for (DrivenJoint& driven : world.drivenJoints) {
-        driven.speed = std::max(driven.speed, std::exchange(driven.toGo, Real(0)) / step);
+        // The limits and the spring draw at the same bodies: these get there with the faster one, not with both.
+        const Real farthest = std::max(std::exchange(driven.toGo, Real(0)), std::exchange(driven.springToGo, Real(0)));
+        driven.speed = std::max(driven.speed, farthest / step);
         Joint* const joint = world.joints.find(driven.joint);
         if (joint == nullptr) { continue; }
         if (MouseConstraint* const mouse = mouseOf(*joint)) { mouse->pace = (1 / step) * mouse->toGo; }

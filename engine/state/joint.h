@@ -34,9 +34,11 @@ struct DrivenJoint {
     JointId joint{};
     int stepsLeft = 0;
     bool isYank = false;
-    Real toGo = 0;   ///< since the last step, metres
-    Real jump = 0;   ///< the farthest of these moves, metres
-    Real speed = 0;  ///< the highest one of those steps, m/s
+    Real toGo = 0;        ///< since the last step, metres
+    Real jump = 0;        ///< the farthest of these moves, metres
+    Real speed = 0;       ///< the highest one of those steps, m/s
+    Real springToGo = 0;  ///< as `toGo`, of the target of its spring
+    Real springJump = 0;  ///< likewise
     /// Of its lower limit and its upper one, or of its length and nothing: since the last step, metres or radians; and
     /// their speed in the step before, m/s or rad/s.
     std::array<Real, 2> way{};

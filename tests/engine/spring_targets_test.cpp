@@ -202,6 +202,105 @@ TEST(SpringTargets, AreSetReadAndRefused) {
     EXPECT_EQ(targetNow(), real(-0.5));
 }
 
+/// A rod on another one, on a body that is led down into the ground and along it. No spring is between the rods.
+struct Led {
+    Led(Kind kind, Profile profile) : world(makeWorld(awakeSettings(profile))) {
+        addBody(world, bodyAt(BodyType::fixed, {0, -0.5}), box(20, 0.5));
+        leader = addBody(world, bodyAt(BodyType::kinematic, {0, 3}), box(0.2, 0.2));
+        const BodyId near = addBody(world, dynamicAt({1, 3}), box(0.9, 0.1));
+        const BodyId far = addBody(world, dynamicAt({2.8, 3}), box(0.9, 0.1));
+        must(world.createJoint(RevoluteJointDef{.base = between(leader, near), .anchor = {0.1, 3}}));
+        const DVec2 anchor{1.9, 3};
+        if (kind == Kind::hinge) {
+            joint = must(world.createJoint(RevoluteJointDef{.base = between(near, far), .anchor = anchor}));
+        } else if (kind == Kind::slider) {
+            const TranslationLimits room{real(-0.5), real(0.5)};
+            joint = must(world.createJoint(
+                PrismaticJointDef{.base = between(near, far), .anchor = anchor, .axis = {1, 0}, .limits = room}));
+        } else {
+            const TranslationLimits room{real(-0.5), real(0.5)};
+            joint = must(world.createJoint(
+                WheelJointDef{.base = between(near, far), .anchor = anchor, .axis = {0, 1}, .limits = room}));
+        }
+    }
+    void step() {
+        if (world.position(leader).y < -1) { speed = {3, 0}; }
+        must(world.setVelocity(leader, speed, 0));
+        must(world.step(kStep));
+    }
+
+    World world;
+    Vec2 speed{0, -2};
+    BodyId leader;
+    JointId joint;
+};
+
+/// No more than a call that wakes: it moves nothing that holds the bodies.
+TEST(SpringTargets, ThatAreSetWithoutASpringDoNothing) {
+    for (const Profile profile : kProfiles) {
+        for (const Kind kind : kKinds) {
+            Led set(kind, profile);
+            Led left(kind, profile);
+            for (int i = 0; i < 240; ++i) {
+                must(set.world.setSpringTarget(set.joint, real(i % 2)));
+                set.step();
+                left.step();
+            }
+            EXPECT_EQ(set.world.stateHash(), left.world.stateHash()) << nameOf(kind, profile, true);
+        }
+    }
+}
+
+/// A rod on a body that is led, which limits and a spring turn or slide together, against a crate.
+std::uint64_t hashOfTurned(Kind kind, Profile profile, double rate, bool isTargetFirst) {
+    World world = makeWorld(awakeSettings(profile));
+    addBody(world, bodyAt(BodyType::fixed, {0, -3}), box(20, 0.5));
+    const BodyId hub = addBody(world, bodyAt(BodyType::kinematic, {}), box(0.2, 0.2));
+    const BodyId rod = addBody(world, dynamicAt({1.2, 0}), box(1, 0.1));
+    addBody(world, dynamicAt({2, 0.6}), box(0.3, 0.3));
+    addBody(world, bodyAt(BodyType::fixed, {0.5, 1.5}), box(0.3, 0.3));
+    const DVec2 anchor{0.1, 0};
+    const Spring spring{3, 1};
+    JointId joint;
+    if (kind == Kind::hinge) {
+        joint =
+            must(world.createJoint(RevoluteJointDef{.base = between(hub, rod), .anchor = anchor, .spring = spring}));
+    } else if (kind == Kind::slider) {
+        joint = must(world.createJoint(
+            PrismaticJointDef{.base = between(hub, rod), .anchor = anchor, .axis = {0, 1}, .spring = spring}));
+    } else {
+        joint = must(world.createJoint(
+            WheelJointDef{.base = between(hub, rod), .anchor = anchor, .axis = {0, 1}, .spring = spring}));
+    }
+    for (int i = 0; i < 120; ++i) {
+        const double place = rate * i * kStep;
+        const Real lower = real(place - 0.1);
+        const Real upper = real(place + 0.1);
+        const auto aim = [&] { must(world.setSpringTarget(joint, real(place + 0.05))); };
+        if (isTargetFirst) { aim(); }
+        if (kind == Kind::hinge) {
+            must(world.setAngleLimits(joint, AngleLimits{lower, upper}));
+        } else {
+            must(world.setTranslationLimits(joint, TranslationLimits{lower, upper}));
+        }
+        if (!isTargetFirst) { aim(); }
+        must(world.step(kStep));
+    }
+    return world.stateHash();
+}
+
+/// Whichever of the two is set first.
+TEST(SpringTargets, AndLimitsAreSetInAnyOrder) {
+    for (const Profile profile : kProfiles) {
+        for (const Kind kind : kKinds) {
+            for (const double rate : {0.3, 3.0, 10.0, 20.0}) {
+                EXPECT_EQ(hashOfTurned(kind, profile, rate, true), hashOfTurned(kind, profile, rate, false))
+                    << nameOf(kind, profile, true) << ' ' << rate;
+            }
+        }
+    }
+}
+
 /// Without a spring it does nothing.
 TEST(SpringTargets, WithoutASpringAreNone) {
     for (const Kind kind : kKinds) {
