@@ -41,6 +41,7 @@ struct JointMaker {
         def.limits = limitsOf<AngleLimits>(given.lower, given.upper);
         def.motor = motorOf<AngularMotor>(given.motorSpeed, given.maxMotorTorque);
         def.spring = springOf(given.hertz, given.dampingRatio);
+        def.springTarget = realOf(given.springTarget.value_or(0));
         return world.createJoint(def);
     }
     Result<JointId> operator()(const DistanceDescription& given) const {
@@ -64,6 +65,7 @@ struct JointMaker {
         def.limits = limitsOf<TranslationLimits>(given.lower, given.upper);
         def.motor = motorOf<LinearMotor>(given.motorSpeed, given.maxMotorForce);
         def.spring = springOf(given.hertz, given.dampingRatio);
+        def.springTarget = realOf(given.springTarget.value_or(0));
         return world.createJoint(def);
     }
     Result<JointId> operator()(const WheelDescription& given) const {
@@ -74,6 +76,7 @@ struct JointMaker {
         def.limits = limitsOf<TranslationLimits>(given.lower, given.upper);
         def.motor = motorOf<AngularMotor>(given.motorSpeed, given.maxMotorTorque);
         def.spring = springOf(given.hertz, given.dampingRatio);
+        def.springTarget = realOf(given.springTarget.value_or(0));
         return world.createJoint(def);
     }
     Result<JointId> operator()(const WeldDescription& given) const {

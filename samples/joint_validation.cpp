@@ -46,8 +46,16 @@ private:
 
     template <class Members>
     bool checkSpring(const Members& joint, const Place& place) {
-        if (joint.hertz || !joint.dampingRatio) { return true; }
-        return fail(place.at("dampingRatio"), "there is no spring to damp: \"hertz\" is missing");
+        if (joint.hertz) { return true; }
+        if (joint.dampingRatio) {
+            return fail(place.at("dampingRatio"), "there is no spring to damp: \"hertz\" is missing");
+        }
+        if constexpr (requires { joint.springTarget; }) {
+            if (joint.springTarget) {
+                return fail(place.at("springTarget"), "there is no spring to aim: \"hertz\" is missing");
+            }
+        }
+        return true;
     }
 
     // A motor of a revolute, prismatic or wheel joint. @param strength  name of the member that has it

@@ -118,6 +118,7 @@ struct RevoluteDescription {
     std::optional<double> lower, upper;
     std::optional<double> motorSpeed, maxMotorTorque;
     std::optional<double> hertz, dampingRatio;
+    std::optional<double> springTarget;  ///< rad from the initial angle; omitted: 0
 
     bool operator==(const RevoluteDescription&) const = default;
 };
@@ -135,6 +136,7 @@ struct PrismaticDescription {
     std::optional<double> lower, upper;
     std::optional<double> motorSpeed, maxMotorForce;
     std::optional<double> hertz, dampingRatio;
+    std::optional<double> springTarget;  ///< metres from the initial place, along the axis; omitted: 0
 
     bool operator==(const PrismaticDescription&) const = default;
 };
@@ -144,6 +146,7 @@ struct WheelDescription {
     std::optional<double> lower, upper;
     std::optional<double> motorSpeed, maxMotorTorque;
     std::optional<double> hertz, dampingRatio;
+    std::optional<double> springTarget;  ///< as of a prismatic joint; omitted: 0
 
     bool operator==(const WheelDescription&) const = default;
 };

@@ -163,7 +163,8 @@ inline constexpr auto kFields<RevoluteDescription> =
                     field("motorSpeed", &RevoluteDescription::motorSpeed, units::kRate),
                     field("maxMotorTorque", &RevoluteDescription::maxMotorTorque, units::kTorque, bounds::kNotNegative),
                     field("hertz", &RevoluteDescription::hertz, units::kRate, bounds::kPositive),
-                    field("dampingRatio", &RevoluteDescription::dampingRatio, units::kNumber, bounds::kNotNegative));
+                    field("dampingRatio", &RevoluteDescription::dampingRatio, units::kNumber, bounds::kNotNegative),
+                    field("springTarget", &RevoluteDescription::springTarget));
 
 template <>
 inline constexpr auto kFields<DistanceDescription> =
@@ -183,7 +184,8 @@ inline constexpr auto kFields<PrismaticDescription> = std::make_tuple(
     field("motorSpeed", &PrismaticDescription::motorSpeed, units::kSpeed),
     field("maxMotorForce", &PrismaticDescription::maxMotorForce, units::kForce, bounds::kNotNegative),
     field("hertz", &PrismaticDescription::hertz, units::kRate, bounds::kPositive),
-    field("dampingRatio", &PrismaticDescription::dampingRatio, units::kNumber, bounds::kNotNegative));
+    field("dampingRatio", &PrismaticDescription::dampingRatio, units::kNumber, bounds::kNotNegative),
+    field("springTarget", &PrismaticDescription::springTarget, units::kLength));
 
 template <>
 inline constexpr auto kFields<WheelDescription> = std::make_tuple(
@@ -193,7 +195,8 @@ inline constexpr auto kFields<WheelDescription> = std::make_tuple(
     field("motorSpeed", &WheelDescription::motorSpeed, units::kRate),
     field("maxMotorTorque", &WheelDescription::maxMotorTorque, units::kTorque, bounds::kNotNegative),
     field("hertz", &WheelDescription::hertz, units::kRate, bounds::kPositive),
-    field("dampingRatio", &WheelDescription::dampingRatio, units::kNumber, bounds::kNotNegative));
+    field("dampingRatio", &WheelDescription::dampingRatio, units::kNumber, bounds::kNotNegative),
+    field("springTarget", &WheelDescription::springTarget, units::kLength));
 
 template <>
 inline constexpr auto kFields<WeldDescription> =

@@ -159,6 +159,7 @@ private:
         if (r.maxMotorTorque) { r.motorSpeed = maybe(number()); }
         r.hertz = maybe(positive());
         if (r.hertz) { r.dampingRatio = maybe(positive()); }
+        if (r.hertz) { r.springTarget = maybe(number()); }
         return r;
     }
 
@@ -186,6 +187,7 @@ private:
         if (strength) { m.motorSpeed = maybe(number()); }
         m.hertz = maybe(positive());
         if (m.hertz) { m.dampingRatio = maybe(positive()); }
+        if (m.hertz) { m.springTarget = maybe(number()); }
     }
 
     MotorDescription motor() {

@@ -108,6 +108,7 @@ struct JointMaker {
         definition.enableSpring = revolute.hertz.has_value();
         definition.hertz = orElse(revolute.hertz, 0);
         definition.dampingRatio = orElse(revolute.dampingRatio, 0);
+        definition.targetAngle = orElse(revolute.springTarget, 0);
         constexpr auto kHalfTurn = std::numbers::pi_v<float>;
         definition.enableLimit = revolute.lower || revolute.upper;
         definition.lowerAngle = orElse(revolute.lower, -kHalfTurn);

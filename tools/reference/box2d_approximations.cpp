@@ -50,6 +50,13 @@ bool hasSpringOnPrismatic(const SceneDescription& scene) {
     });
 }
 
+bool hasAimedWheel(const SceneDescription& scene) {
+    return std::any_of(scene.joints.begin(), scene.joints.end(), [](const JointDescription& joint) {
+        const auto* const wheel = std::get_if<WheelDescription>(&joint.joint);
+        return wheel != nullptr && wheel->springTarget.value_or(0) != 0;
+    });
+}
+
 bool isBreakable(const JointDescription& joint) { return joint.breakForce || joint.breakTorque; }
 
 bool isOfUnsupportedMode(SceneContinuous mode) {
@@ -106,6 +113,7 @@ void addWaysWithJoints(const SceneDescription& scene, std::vector<std::string>& 
     if (hasSpringOnPrismatic(scene)) {
         sentences.push_back("Springs of prismatic joints, and linear ones of welds, are left out.");
     }
+    if (hasAimedWheel(scene)) { sentences.push_back("Springs of wheels pull to the initial place."); }
     if (hasAny<PulleyDescription>(scene)) { sentences.push_back("The rope of a pulley pushes, too."); }
     if (hasAny<MotorDescription>(scene)) {
         sentences.push_back("Motors drive to a pose only, by 0.3 of the way in a step; the velocities are ignored.");
