@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include <swept/samples/built_in/builtin_scenes.h>
 #include <swept/samples/scene_builder.h>
@@ -205,6 +207,29 @@ TEST(Inspect, FindsAnglesThatSeemToBeDegrees) {
     }
     scene.bodies[1].shapes = {build::box({0.5, 0.2}, {0, 0}, -45)};
     expectOnly(scene, "degrees", "/bodies/1");
+}
+
+TEST(Inspect, FindsAnglesOfHingesThatSeemToBeDegrees) {
+    SceneDescription scene = soundScene();
+    scene.bodies[1].position.y = 3;
+    build::hinge(scene, scene.bodies[0].name, scene.bodies[1].name, scene.bodies[1].position);
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+    RevoluteDescription& hinge = std::get<RevoluteDescription>(scene.joints[0].joint);
+    hinge.lower = -45;
+    hinge.upper = 90;
+    expectOnly(scene, "degrees", "/joints/0");
+    EXPECT_EQ(remedyOf(scene, "degrees"), "if degrees were meant: lower -0.7854, upper 1.571");
+    EXPECT_EQ(inspectScene(scene).findings.front().severity, Severity::note);
+    hinge.upper = 91.5;
+    EXPECT_TRUE(inspectScene(scene).findings.empty());
+    hinge.upper = 5;
+    expectOnly(scene, "degrees", "/joints/0");
+    hinge.lower = -5;
+    EXPECT_TRUE(inspectScene(scene).findings.empty()) << "within a turn";
+    hinge.lower = hinge.upper = std::nullopt;
+    hinge.hertz = 2;
+    hinge.springTarget = 30;
+    expectOnly(scene, "degrees", "/joints/0");
 }
 
 /// A platform that was listed clockwise is a drum, which has no room for what falls on it.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,11 @@ double iteratedMassRatio(const PlacedScene& placed, const PlacedBody& light, dou
 bool solvesAtOnce(const PlacedScene& placed);
 /// What else to do about masses that are too far apart for `most`.
 std::string massRemedy(const PlacedScene& placed, double most);
+
+/// Angles are in radians. Whole multiples of five beyond a turn are what people mean in degrees.
+inline constexpr double kFullTurn = 6.283185307179586;
+inline bool isMultipleOfFive(double angle) { return std::fmod(angle, 5) == 0; }
+inline std::string fromDegrees(double angle) { return roundedText(angle / 360 * kFullTurn); }
 
 /// A length in words.
 inline std::string metres(double x) { return roundedText(x, 3) + " m"; }

@@ -32,15 +32,12 @@ void checkUnits(const PlacedScene& placed, const PlacedBody& body, std::vector<F
                         "give lengths in metres (divide pixels by pixels per metre), or scale gravity with them"});
 }
 
-/// Angles are in radians. Whole multiples of five beyond a turn are what people mean in degrees.
 void checkAngle(const PlacedBody& body, double angle, const std::string& what, std::vector<Finding>& findings) {
-    constexpr double kTurn = 6.283185307179586;
-    constexpr double kUsual = 5;  // degrees
-    if (std::fabs(angle) <= kTurn || std::fmod(angle, kUsual) != 0) { return; }
+    if (std::fabs(angle) <= kFullTurn || !isMultipleOfFive(angle)) { return; }
     findings.push_back({Severity::note, "degrees", pointerOf(body),
                         body.name + " has " + what + ' ' + roundedText(angle) + " rad, " +
-                            roundedText(std::fabs(angle) / kTurn, 3) + " turns",
-                        "if degrees were meant: " + roundedText(angle / 360 * kTurn)});
+                            roundedText(std::fabs(angle) / kFullTurn, 3) + " turns",
+                        "if degrees were meant: " + fromDegrees(angle)});
 }
 
 void checkAngles(const PlacedBody& body, std::vector<Finding>& findings) {

@@ -2,7 +2,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <swept/samples/scene_reader.h>
@@ -88,6 +90,28 @@ void checkLimits(const PlacedScene& placed, std::size_t i, const LimitedJoint& j
                             roundedText(joint.lower.value_or(-kInfinity)) + " … " +
                             roundedText(joint.upper.value_or(kInfinity)) + ' ' + unit,
                         "limits count from the initial pose: let them include 0"});
+}
+
+/// All that a hinge is given must be multiples of five, and one of them beyond a turn: a winch may have many turns.
+void checkHingeAngles(const PlacedScene& placed, std::size_t i, const RevoluteDescription& hinge,
+                      std::vector<Finding>& findings) {
+    std::string given;
+    std::string meant;
+    bool isBeyond = false;
+    const auto add = [&](const char* member, const std::optional<double>& angle) {
+        if (!angle) { return true; }
+        isBeyond = isBeyond || std::fabs(*angle) > kFullTurn;
+        const std::string key = std::string(given.empty() ? "" : ", ") + member + ' ';
+        given += key + roundedText(*angle);
+        meant += key + fromDegrees(*angle);
+        return isMultipleOfFive(*angle);
+    };
+    const bool areUsual =
+        add("lower", hinge.lower) && add("upper", hinge.upper) && add("springTarget", hinge.springTarget);
+    if (!areUsual || !isBeyond) { return; }
+    findings.push_back({Severity::note, "degrees", pointerOf(i),
+                        jointName(*placed.scene, i) + " has " + given + " rad, beyond a turn of 6.283",
+                        "if degrees were meant: " + meant});
 }
 
 double weightOf(const PlacedScene& placed, const PlacedBody& body) {
@@ -216,6 +240,7 @@ void checkJoints(const PlacedScene& placed, std::vector<Finding>& findings) {
         }
         if (const auto* hinge = std::get_if<RevoluteDescription>(&joint.joint)) {
             checkLimits(placed, i, *hinge, "rad", findings);
+            checkHingeAngles(placed, i, *hinge, findings);
         }
         if (const auto* slider = std::get_if<PrismaticDescription>(&joint.joint)) {
             checkLimits(placed, i, *slider, "m", findings);
