@@ -1,6 +1,7 @@
 #include "json_strict.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -8,6 +9,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "scene_names.h"
 
 namespace swept {
 namespace {
@@ -48,17 +51,66 @@ struct CommonMistake {
     std::string reason;
 };
 
-/// @param offset  of the last character that the parser read
-std::optional<CommonMistake> commonMistake(std::string_view text, std::size_t offset) {
-    if (offset >= text.size()) { return std::nullopt; }
+constexpr std::string_view kBlanks = " \t\r\n";
+
+/// Whether the parser's message begins like this, behind what was being parsed.
+bool isAbout(std::string_view message, std::string_view what) {
+    const std::size_t dash = message.find(" - ");
+    return dash != std::string_view::npos && message.substr(dash + 3).starts_with(what);
+}
+
+/// The characters around `at` of which numbers and literals are made; none where it is another.
+std::string_view wordAt(std::string_view text, std::size_t at) {
+    const auto isOfWord = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '+' ||
+               c == '.';
+    };
+    std::size_t begin = at;
+    std::size_t end = at;
+    while (end < text.size() && isOfWord(text[end])) { ++end; }
+    while (end > at && begin > 0 && isOfWord(text[begin - 1])) { --begin; }
+    return text.substr(begin, end - begin);
+}
+
+/// `1/60`, which programs take for a number.
+std::optional<CommonMistake> fractionAt(std::string_view text, std::size_t slash) {
+    const std::size_t over = slash == 0 ? std::string_view::npos : text.find_last_not_of(kBlanks, slash - 1);
+    const std::size_t under = text.find_first_not_of(kBlanks, slash + 1);
+    if (over == std::string_view::npos || under == std::string_view::npos) { return std::nullopt; }
+    const std::string_view numberOver = wordAt(text, over);
+    const std::string_view numberUnder = wordAt(text, under);
+    const Json valueOver = Json::parse(numberOver, nullptr, false);
+    const Json valueUnder = Json::parse(numberUnder, nullptr, false);
+    if (!valueOver.is_number() || !valueUnder.is_number()) { return std::nullopt; }
+    CommonMistake mistake{over + 1 - numberOver.size(), "JSON has no fractions"};
+    const double value = valueOver.get<double>() / valueUnder.get<double>();
+    const std::size_t next = text.find_first_not_of(kBlanks, under + numberUnder.size());
+    const bool isAll = next == std::string_view::npos || text[next] == ',' || text[next] == ']' || text[next] == '}';
+    if (isAll && std::isfinite(value)) { mistake.reason += ": " + shortestNumber(value); }
+    return mistake;
+}
+
+/// What stands where no JSON value begins.
+std::optional<CommonMistake> noLiteral(std::string_view text, std::size_t offset) {
+    if (text[offset] == '\'') { return CommonMistake{offset, "strings have double quotes, not single ones"}; }
+    if (text[offset] != '/') { return std::nullopt; }
+    const char next = offset + 1 < text.size() ? text[offset + 1] : ' ';
+    if (next == '/' || next == '*') { return CommonMistake{offset, "JSON has no comments"}; }
+    return fractionAt(text, offset);
+}
+
+/// @param offset   of the last character that the parser read
+/// @param message  of the parser
+std::optional<CommonMistake> commonMistake(std::string_view text, std::size_t offset, std::string_view message) {
+    // Within a string all of these are text.
+    if (offset >= text.size() || isAbout(message, "invalid string")) { return std::nullopt; }
     if (text[offset] == ']' || text[offset] == '}') {
-        const std::size_t before = offset == 0 ? std::string_view::npos : text.find_last_not_of(" \t\r\n", offset - 1);
+        const std::size_t before = offset == 0 ? std::string_view::npos : text.find_last_not_of(kBlanks, offset - 1);
         if (before == std::string_view::npos || text[before] != ',') { return std::nullopt; }
         return CommonMistake{before, std::string("a trailing comma: nothing follows it before ") + text[offset]};
     }
-    if (text[offset] == '\'') { return CommonMistake{offset, "strings have double quotes, not single ones"}; }
-    if (text[offset] == '/' || (offset > 0 && text[offset - 1] == '/')) {
-        return CommonMistake{text[offset] == '/' ? offset : offset - 1, "JSON has no comments"};
+    if (isAbout(message, "invalid literal")) {
+        if (auto mistake = noLiteral(text, offset)) { return mistake; }
     }
     const auto isOfWord = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-'; };
     std::size_t begin = offset;
@@ -72,40 +124,38 @@ std::optional<CommonMistake> commonMistake(std::string_view text, std::size_t of
     return CommonMistake{begin, std::string(word) + " is no JSON number"};
 }
 
-/// Where the token begins that ends at `offset`.
-std::size_t beginOfToken(std::string_view text, std::size_t offset) {
-    const auto isOfWord = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '+' ||
-               c == '.';
-    };
-    std::size_t begin = offset;
-    if (text[offset] != '"') {
-        while (isOfWord(text[offset]) && begin > 0 && isOfWord(text[begin - 1])) { --begin; }
-        return begin;
-    }
+/// The string whose closing quote this is.
+std::string_view stringBefore(std::string_view text, std::size_t quote) {
     const auto isEscaped = [text](std::size_t at) {
         std::size_t first = at;
         while (first > 0 && text[first - 1] == '\\') { --first; }
         return (at - first) % 2 == 1;
     };
+    std::size_t begin = quote;
     while (begin > 0) {
         --begin;
         if (text[begin] == '"' && !isEscaped(begin)) { break; }
     }
-    return begin;
+    return text.substr(begin, quote + 1 - begin);
 }
 
 /// Two members or elements with nothing between them.
-/// @param offset   of the last character of the second
+/// @param offset   of the last character of the second, or the first of a container
 /// @param message  of the parser
 std::optional<CommonMistake> missingComma(std::string_view text, std::size_t offset, std::string_view message) {
     const bool inObject = message.ends_with("expected '}'");
-    if (offset >= text.size() || (!inObject && !message.ends_with("expected ']'"))) { return std::nullopt; }
-    const std::size_t begin = beginOfToken(text, offset);
-    const std::string_view token = text.substr(begin, offset + 1 - begin);
-    const std::string_view starts = inObject ? "\"" : "\"[{-0123456789tfn";
-    const bool isOddNumber = token.size() > 1 && token[0] == '0' && token[1] >= '0' && token[1] <= '9';  // 01
-    if (starts.find(token[0]) == std::string_view::npos || isOddNumber) { return std::nullopt; }
+    if (offset >= text.size() || !isAbout(message, "unexpected")) { return std::nullopt; }
+    if (!inObject && !message.ends_with("expected ']'")) { return std::nullopt; }
+    if (text[offset] == '{' || text[offset] == '[') {
+        const std::string bracket(1, text[offset]);
+        if (inObject) { return CommonMistake{offset, "a } is missing before " + bracket + ", or a comma and a key"}; }
+        return CommonMistake{offset, "a comma is missing before " + bracket};
+    }
+    const bool isString = text[offset] == '"';
+    const std::string_view token = isString ? stringBefore(text, offset) : wordAt(text, offset);
+    // 1-2 and 01 are two numbers to the parser, but to nobody else; and what is no key has no place in an object.
+    if ((inObject && !isString) || !Json::accept(token)) { return std::nullopt; }
+    const auto begin = static_cast<std::size_t>(token.data() - text.data());
     return CommonMistake{begin, "a comma is missing before " + std::string(token)};
 }
 
@@ -151,10 +201,10 @@ public:
             return fail(pointer(), "the number " + token + " overflows");
         }
         const std::size_t offset = position > 0 ? position - 1 : 0;  // of the last character that was read
-        if (const auto mistake = commonMistake(text_, offset)) {
+        const std::string message = plainMessage(error.what());
+        if (const auto mistake = commonMistake(text_, offset, message)) {
             return fail(lineAndColumn(text_, mistake->offset), mistake->reason);
         }
-        const std::string message = plainMessage(error.what());
         if (const auto mistake = missingComma(text_, offset, message)) {
             return fail(lineAndColumn(text_, mistake->offset), mistake->reason);
         }

@@ -52,31 +52,66 @@ TEST(StrictJson, NamesCommonMistakes) {
         const char* where;
         const char* reason;
     };
-    for (const Case& c : {Case{"[1, 2,]", "line 1, column 6", "a trailing comma: nothing follows it before ]"},
-                          Case{"{\"a\": 1,\n }", "line 1, column 8", "a trailing comma: nothing follows it before }"},
-                          Case{"[1 2]", "line 1, column 4", "a comma is missing before 2"},
-                          Case{"[[1]\n [2]]", "line 2, column 2", "a comma is missing before ["},
-                          Case{"[{} {}]", "line 1, column 5", "a comma is missing before {"},
-                          Case{"[true false]", "line 1, column 7", "a comma is missing before false"},
-                          Case{"{\"a\": 1 \"b c\": 2}", "line 1, column 9", "a comma is missing before \"b c\""},
-                          Case{"{\"a\": {}\n\"\\\"\": 2}", "line 2, column 1", "a comma is missing before \"\\\"\""},
-                          Case{"{'a': 1}", "line 1, column 2", "strings have double quotes, not single ones"},
-                          Case{"[1, // one\n 2]", "line 1, column 5", "JSON has no comments"},
-                          Case{"[1 /* one */]", "line 1, column 4", "JSON has no comments"},
-                          Case{"[1, NaN]", "line 1, column 5", "NaN is no JSON number"},
-                          Case{"{\"a\": nan}", "line 1, column 7", "nan is no JSON number"},
-                          Case{"[-Infinity]", "line 1, column 2", "-Infinity is no JSON number"},
-                          Case{"Infinity", "line 1, column 1", "Infinity is no JSON number"}}) {
+    for (const Case& c :
+         {Case{"[1, 2,]", "line 1, column 6", "a trailing comma: nothing follows it before ]"},
+          Case{"{\"a\": 1,\n }", "line 1, column 8", "a trailing comma: nothing follows it before }"},
+          Case{"[1 2]", "line 1, column 4", "a comma is missing before 2"},
+          Case{"[[1]\n [2]]", "line 2, column 2", "a comma is missing before ["},
+          Case{"[{} {}]", "line 1, column 5", "a comma is missing before {"},
+          Case{"[true false]", "line 1, column 7", "a comma is missing before false"},
+          Case{"{\"a\": 1 \"b c\": 2}", "line 1, column 9", "a comma is missing before \"b c\""},
+          Case{"{\"a\": {}\n\"\\\"\": 2}", "line 2, column 1", "a comma is missing before \"\\\"\""},
+          Case{"{'a': 1}", "line 1, column 2", "strings have double quotes, not single ones"},
+          Case{"[1, // one\n 2]", "line 1, column 5", "JSON has no comments"},
+          Case{"[1 /* one */]", "line 1, column 4", "JSON has no comments"},
+          Case{"[1//2\n]", "line 1, column 3", "JSON has no comments"},
+          Case{"{\"dt\": 1/64}", "line 1, column 8", "JSON has no fractions: 0.015625"},
+          Case{"{\"dt\": 1/60}", "line 1, column 8", "JSON has no fractions: 0.016666666666666666"},
+          Case{"[0,\n -1.5 / 2e1 ]", "line 2, column 2", "JSON has no fractions: -0.075"},
+          Case{"1/8", "line 1, column 1", "JSON has no fractions: 0.125"},
+          Case{"[1/0]", "line 1, column 2", "JSON has no fractions"},
+          Case{"[1/2/3]", "line 1, column 2", "JSON has no fractions"},
+          Case{"[\"a\"\"b\"]", "line 1, column 5", "a comma is missing before \"b\""},
+          Case{"[[1]2]", "line 1, column 5", "a comma is missing before 2"},
+          Case{"[1 -2.5e3]", "line 1, column 4", "a comma is missing before -2.5e3"},
+          Case{"{\"a\": {\"b\":1} {\"c\":1}}", "line 1, column 15", "a } is missing before {, or a comma and a key"},
+          Case{"{\"a\": [1] [2]}", "line 1, column 11", "a } is missing before [, or a comma and a key"},
+          Case{"[1, NaN]", "line 1, column 5", "NaN is no JSON number"},
+          Case{"{\"a\": nan}", "line 1, column 7", "nan is no JSON number"},
+          Case{"[-Infinity]", "line 1, column 2", "-Infinity is no JSON number"},
+          Case{"Infinity", "line 1, column 1", "Infinity is no JSON number"}}) {
         const JsonResult result = parseStrict(c.text);
         ASSERT_TRUE(result.error.has_value()) << c.text;
         EXPECT_EQ(result.error->where, c.where) << c.text;
         EXPECT_EQ(result.error->reason, c.reason) << c.text;
     }
-    for (const char* const other : {"[]]", "[01]", "nul", "[,]", "}", "[names]", ",", "[1", "{\"a\": 1 2}", "{} {}"}) {
+    for (const char* const other : {"[]]", "[01]", "nul", "[,]", "}", "[names]", ",", "[1", "{\"a\": 1 2}", "{} {}",
+                                    "[1.5.2]", "[1-2]", "[1 2-3]", "[truefalse]", "[\"x\", 1 tru\"a\"]"}) {
         const JsonResult result = parseStrict(other);
         ASSERT_TRUE(result.error.has_value()) << other;
         EXPECT_EQ(result.error->reason.find("no JSON number"), std::string::npos) << other;
         EXPECT_EQ(result.error->reason.find("comma"), std::string::npos) << other;
+    }
+}
+
+/// What people write for a value may well stand in a string; an error there is the string's.
+TEST(StrictJson, MistakesWithinStringsAreTheStrings) {
+    for (const char* const text :
+         {R"({"name": "it\'s"})", "\"a/\nb\"", "\"1/2\n/3\"", "\"a//\tb\"", "\"a/*\t\"", R"("x\u12/4")", R"("x\u//24")",
+          R"("\/\'")", R"("\Infinity")", R"("\nan\inf")", "\"1/2", "[1 \"1-2\n\"]", "[\"a\" \"it\\'s\"]"}) {
+        const JsonResult result = parseStrict(text);
+        ASSERT_TRUE(result.error.has_value()) << text;
+        EXPECT_NE(result.error->reason.find("invalid string"), std::string::npos) << text << '\n'
+                                                                                  << result.error->reason;
+    }
+}
+
+TEST(StrictJson, AnySlashIsNoComment) {
+    for (const char* const text : {"[/x]", "[1 /", "/", "[\"5\"/2]", "[true/2]", "[1/x]", "[1/2x]", "[1.5.2/2]"}) {
+        const JsonResult result = parseStrict(text);
+        ASSERT_TRUE(result.error.has_value()) << text;
+        EXPECT_EQ(result.error->reason.find("JSON has no"), std::string::npos) << text << '\n' << result.error->reason;
+        EXPECT_EQ(result.error->reason.find("comma"), std::string::npos) << text << '\n' << result.error->reason;
     }
 }
 
