@@ -51,7 +51,11 @@ protected:
 TEST_F(CommandJson, OfARunIsTheReport) {
     const Json json = jsonOf({"run", scene_, "--steps", "80"});
     EXPECT_EQ(json.dump(), Json::parse(runSwept({"run", scene_, "--steps", "80", "--report", "-"}).out).dump());
-    EXPECT_EQ(json.at("scene"), "ball");
+    expectHead(json, 80);
+    EXPECT_EQ(json.at("precision"), "f32");
+    EXPECT_FALSE(json.contains("from"));
+    EXPECT_EQ(jsonOf({"run", scene_, "--steps", "80", "--from", "0.25"}).at("from"), 0.25);
+    EXPECT_EQ(jsonOf({"run", "pyramid", "--steps", "1"}).at("source"), "pyramid");
 }
 
 TEST_F(CommandJson, OfTheDoctor) {
@@ -169,9 +173,14 @@ TEST_F(CommandJson, PlacesThatAreNone) {
     }
     expectNothingWritten({"tune", scene_, "--max-error", "penetration=1", "--shard", "1/2", "--json", "-"},
                          "swept: --json: is the advice of the whole search; a shard has none");
-    expectNothingWritten({"tune", scene_, "--max-error", "penetration=1", "--out", out_.path("tune"), "--json",
-                          out_.path("tune/tune.csv")},
-                         "is already the file of --out");
+    for (const char* const file : {"tune/tune.csv", "tune/tune.dat", "tune/tune.gp", "tune/tune.png", "tune/tune.svg",
+                                   "tune/tuned.json", "tune/lean.json", "tune/ablation.csv"}) {
+        expectNothingWritten(
+            {"tune", scene_, "--max-error", "penetration=1", "--out", out_.path("tune"), "--json", out_.path(file)},
+            "is already the file of --out");
+    }
+    expectNothingWritten({"run", scene_, "--steps", "1", "--report", out_.path("a"), "--json", out_.path("b")},
+                         "swept: --report and --json are the same: give one of them, not both");
     expectNothingWritten({"modes", scene_, "--json", out_.path("a.png"), "--png", out_.path("a.png")},
                          "already the file");
 }

@@ -18,8 +18,12 @@ bool writeFile(const std::string& path, const std::function<void(std::ostream&)>
     return error.empty();
 }
 
+std::string dataOf(const PlotFiles& plot) { return plot.name + ".dat"; }
+std::string scriptOf(const PlotFiles& plot) { return plot.name + ".gp"; }
+std::string pictureOf(const PlotFiles& plot) { return plot.name + ".png"; }
+
 std::vector<std::string> picturesOf(const std::string& directory, const PlotFiles& plot) {
-    std::vector<std::string> pictures{directory + '/' + plot.name + ".png"};
+    std::vector<std::string> pictures{directory + '/' + pictureOf(plot)};
     for (const std::string& other : plot.others) { pictures.push_back(directory + '/' + other); }
     return pictures;
 }
@@ -54,25 +58,31 @@ const char* const kPlotStyle =
     "set style line 7 lc rgb '#9467bd' pt 13\nset style line 8 lc rgb '#17becf' pt 4\n"
     "set style line 9 lc rgb '#000000' pt 6\nset style line 10 lc rgb '#e377c2' pt 3\n";
 
+std::vector<std::string> filesOf(const PlotFiles& plot) {
+    std::vector<std::string> files{dataOf(plot), scriptOf(plot), pictureOf(plot)};
+    files.insert(files.end(), plot.others.begin(), plot.others.end());
+    return files;
+}
+
 std::string drawPlots(const std::string& directory, const std::vector<PlotFiles>& plots, std::string& error) {
     for (const PlotFiles& plot : plots) {
-        const std::string start = directory + '/' + plot.name;
-        if (!writeFile(start + ".dat", plot.data, error) || !writeFile(start + ".gp", plot.script, error)) {
+        if (!writeFile(directory + '/' + dataOf(plot), plot.data, error) ||
+            !writeFile(directory + '/' + scriptOf(plot), plot.script, error)) {
             return "";
         }
     }
     std::string drawn;
     for (const PlotFiles& plot : plots) {
         removeOldPictures(directory, plot);
-        switch (runGnuplot(directory, plot.name + ".gp")) {
+        switch (runGnuplot(directory, scriptOf(plot))) {
             case GnuplotState::drawn:
                 if (!areDrawn(directory, plot, error)) { return ""; }
-                drawn += (drawn.empty() ? "" : ", ") + directory + '/' + plot.name + ".png";
+                drawn += (drawn.empty() ? "" : ", ") + directory + '/' + pictureOf(plot);
                 break;
             case GnuplotState::notInstalled:
                 return "gnuplot is not installed: data and scripts are in " + directory + ", no plots were drawn";
             case GnuplotState::refused:
-                error = directory + '/' + plot.name + ".gp: gnuplot could not draw it";
+                error = directory + '/' + scriptOf(plot) + ": gnuplot could not draw it";
                 return "";
         }
     }

@@ -18,6 +18,9 @@ struct PlotFiles {
     std::vector<std::string> others{};  ///< further pictures that the script draws, "tune.svg"
 };
 
+/// The names of all files that `drawPlots` writes for it.
+std::vector<std::string> filesOf(const PlotFiles& plot);
+
 /// Writes and, with gnuplot, draws. @return what was drawn, or why not; `error`, which begins with the path, when a
 /// file could not be written or drawn
 std::string drawPlots(const std::string& directory, const std::vector<PlotFiles>& plots, std::string& error);

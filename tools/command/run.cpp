@@ -20,6 +20,7 @@
 #include "../writers/output_files.h"
 #include "../writers/report_writer.h"
 #include "commands.h"
+#include "json_output.h"
 #include "picture_output.h"
 #include "progress.h"
 #include "scene_source.h"
@@ -36,8 +37,11 @@ struct RunArguments {
     std::vector<std::string> csvBodies;    ///< names; none: all bodies
     std::string events;
     std::string report;
+    std::string json;  ///< another name of the same, which other commands have, too
     std::string writtenScene;
     int threads = 1;
+
+    const std::string& reportFile() const { return report.empty() ? json : report; }
 };
 
 /// What happened to the run, for the exit code and the summary.
@@ -110,7 +114,8 @@ void addRunOptions(Command command, RunArguments& arguments) {
         .separatedBy(',')
         .oneValueEach();
     command.option("--events", arguments.events, "Contact, sensor and joint events as JSON lines, or -").type("FILE");
-    command.option("--report,--json", arguments.report, "Totals of the run as JSON, or -").type("FILE");
+    command.option("--report", arguments.report, "Totals of the run as JSON, or -").type("FILE");
+    command.option("--json", arguments.json, "The same, under the name that other commands have for it").type("FILE");
     command
         .option("--write-scene", arguments.writtenScene,
                 "The scene as it is run, with what --set and --view change, as JSON, or -")
@@ -127,7 +132,7 @@ OutputFiles placesOf(const RunArguments& arguments, const LoadedScene& loaded, S
     outputs.protect(loaded.file);
     outputs.addStream("--csv", arguments.csv);
     outputs.addStream("--events", arguments.events);
-    outputs.addStream("--report", arguments.report);
+    outputs.addStream(arguments.report.empty() ? "--json" : "--report", arguments.reportFile());
     outputs.addStream("--write-scene", arguments.writtenScene);
     addPicturePlaces(outputs, arguments.pictures, span);
     return outputs;
@@ -135,7 +140,7 @@ OutputFiles placesOf(const RunArguments& arguments, const LoadedScene& loaded, S
 
 /// Where people are told of the run: not in the midst of what another program reads.
 std::ostream& toldIn(const RunArguments& arguments) {
-    const auto files = {&arguments.csv, &arguments.events, &arguments.report, &arguments.writtenScene};
+    const auto files = {&arguments.csv, &arguments.events, &arguments.reportFile(), &arguments.writtenScene};
     const auto isPiped = [](const std::string* file) { return *file == "-"; };
     return std::any_of(files.begin(), files.end(), isPiped) ? std::cerr : std::cout;
 }
@@ -200,9 +205,11 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
               StepSpan span, OutputFiles& outputs) {
     const RunReport report = runner.report();
     const std::int64_t from = span.first <= outcome.steps ? span.first : 0;  // else all of the run is reported
-    if (std::ostream* const file = outputs.stream(arguments.report)) {
-        const std::string precision = loaded.precision == Precision::f64 ? "f64" : "f32";
-        *file << reportText(loaded.scene, report, {"swept2d " + versionText(), precision, outcome.steps, from});
+    if (std::ostream* const file = outputs.stream(arguments.reportFile())) {
+        RunFacts facts = factsOf(loaded);
+        facts.steps = outcome.steps;
+        facts.from = from;
+        *file << reportText(loaded.scene, report, facts);
     }
     std::string error;
     if (!outputs.close(error)) { return refuse(error); }
@@ -210,7 +217,7 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
     printSummary(out, loaded, outcome, from, report);
     printPlace(out, "states    ", arguments.csv);
     printPlace(out, "events    ", arguments.events);
-    printPlace(out, "report    ", arguments.report);
+    printPlace(out, "report    ", arguments.reportFile());
     printPlace(out, "scene     ", arguments.writtenScene);
     printPicturePlaces(out, arguments.pictures, {span.first, outcome.steps});
     warnOfBudget("maxPenetration", loaded.scene.settings.maxPenetration, report.deepestPenetration, "m");
@@ -281,6 +288,9 @@ std::string sceneText(SceneDescription scene, const Camera& camera) {
 }
 
 int runScene(const RunArguments& arguments) {
+    if (!arguments.report.empty() && !arguments.json.empty()) {
+        return refuse("--report and --json are the same: give one of them, not both");
+    }
     std::string error;
     const auto loaded = loadScene(arguments.scene, error);
     if (!loaded) { return refuse(error); }

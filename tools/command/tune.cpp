@@ -100,9 +100,9 @@ bool readTask(const TuneArguments& arguments, const tune::Team& team, Task& task
     OutputFiles results;
     results.protect(loaded->file);
     results.addDirectory("--out", arguments.out);
-    for (const char* const name : {kTuned, kLean, kAblation, "/tune.csv", "/tune.png", "/tune.svg"}) {
-        results.addFile("--out", task.directory + name);
-    }
+    for (const char* const name : {kTuned, kLean, kAblation}) { results.addFile("--out", task.directory + name); }
+    for (const std::string& name : tune::plottedFiles()) { results.addFile("--out", task.directory + '/' + name); }
+    results.addFile("--out", tune::Store(task.directory, {}).path());
     results.addStream("--json", arguments.json);
     if (!results.refuseClashes(error)) { return false; }
     task.options.subject = {loaded->scene, loaded->steps + loaded->steps % 2};

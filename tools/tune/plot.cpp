@@ -88,7 +88,12 @@ void writeScript(std::ostream& out, const Subject& subject, const Axis& axis, co
     out << "\n}\n";
 }
 
+/// All of the plot but what is in its data and script.
+bench::PlotFiles emptyPlot() { return {"tune", {}, {}, {"tune.svg"}}; }
+
 }  // namespace
+
+std::vector<std::string> plottedFiles() { return bench::filesOf(emptyPlot()); }
 
 std::string plotRows(const std::string& directory, const Subject& subject, const std::vector<Limit>& limits,
                      const Knowledge& known, const Verdict& verdict, std::string& error) {
@@ -116,12 +121,13 @@ std::string plotRows(const std::string& directory, const Subject& subject, const
     std::erase_if(blocks, [&axis](const Block& block) {
         return std::none_of(block.rows.begin(), block.rows.end(), [&](const Row* row) { return axis.isDrawn(*row); });
     });
-    const auto data = [&](std::ostream& out) {
+    bench::PlotFiles plot = emptyPlot();
+    plot.data = [&](std::ostream& out) {
         out << "# a block each: ms of processor time per simulated second, error\n";
         for (const Block& block : blocks) { writeBlock(out, block.name, block.rows, axis); }
     };
-    const auto script = [&](std::ostream& out) { writeScript(out, subject, axis, blocks); };
-    return bench::drawPlots(directory, {{"tune", data, script, {"tune.svg"}}}, error);
+    plot.script = [&](std::ostream& out) { writeScript(out, subject, axis, blocks); };
+    return bench::drawPlots(directory, {plot}, error);
 }
 
 }  // namespace swept::tune

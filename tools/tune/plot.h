@@ -7,6 +7,9 @@
 
 namespace swept::tune {
 
+/// The names of all files that `plotRows` writes.
+std::vector<std::string> plottedFiles();
+
 /// Error against cost of all rows, as DIRECTORY/tune.png and tune.svg, with their data and script beside them. With one
 /// limit the error is the measure; with several, the part of what is accepted of the worst.
 /// @return what was drawn, or why not; `error` when a file could not be written
