@@ -4,8 +4,8 @@
 
 #include "../bodies/awake.h"
 #include "../bodies/body_measures.h"
-#include "../bodies/stirred.h"
 #include "../contacts/pairs_of_shapes.h"
+#include "../contacts/stirred.h"
 #include "../crew/beside.h"
 #include "../islands/effort.h"
 #include "../islands/reset_bodies.h"

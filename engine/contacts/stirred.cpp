@@ -4,11 +4,11 @@
 #include <limits>
 #include <span>
 
-#include "../contacts/may_touch.h"
+#include "../bodies/awake.h"
+#include "../bodies/body_mode.h"
+#include "../bodies/world_boxes.h"
 #include "../state/tolerances.h"
-#include "awake.h"
-#include "body_mode.h"
-#include "world_boxes.h"
+#include "may_touch.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
