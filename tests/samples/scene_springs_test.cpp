@@ -5,6 +5,7 @@
 
 #include <swept/samples/runner.h>
 #include <swept/samples/scene_builder.h>
+#include <swept/samples/scene_reader.h>
 
 /// Springs of hinges, sliders and wheels rest where their scene has them pull to.
 
@@ -63,6 +64,31 @@ TEST_P(SceneSprings, OfWheelsSlideToTheirTarget) {
 
 INSTANTIATE_TEST_SUITE_P(Precisions, SceneSprings, testing::Values(Precision::f32, Precision::f64),
                          [](const auto& given) { return std::string(given.param == Precision::f32 ? "f32" : "f64"); });
+
+/// What it has no spring for is refused, whatever its value, and so it is of joints whose springs have no target.
+TEST(SpringTargets, NeedASpring) {
+    struct Case {
+        const char* members;
+        const char* reason;  ///< must occur in it
+    };
+    for (const Case& c :
+         {Case{R"("revolute", "anchor": [0, 1], "springTarget": 0.5)",
+               "there is no spring to aim: \"hertz\" is missing"},
+          Case{R"("revolute", "anchor": [0, 1], "springTarget": 0)", "no spring"},
+          Case{R"("revolute", "anchor": [0, 1], "hertz": 1, "springTarget": "up")", "number"},
+          Case{R"("prismatic", "anchor": [0, 1], "axis": [0, 1], "springTarget": 1)", "no spring"},
+          Case{R"("wheel", "anchor": [0, 1], "axis": [0, 1], "springTarget": 1)", "no spring"},
+          Case{R"("weld", "anchor": [0, 1], "springTarget": 1)", "unknown"},
+          Case{R"("distance", "anchorA": [0, 5], "anchorB": [0, 1], "hertz": 1, "springTarget": 1)", "unknown"}}) {
+        const SceneResult result = readScene(R"({"bodies": [{"name": "floor"}, {"name": "ball", "type": "dynamic",
+            "shapes": [{"circle": {"radius": 1}}]}], "joints": [{"bodyA": "floor", "bodyB": "ball", "type": )" +
+                                                 std::string(c.members) + "}]}",
+                                             "my.json");
+        EXPECT_FALSE(result.scene.has_value()) << c.members;
+        EXPECT_EQ(result.error.pointer, "/joints/0/springTarget") << c.members << ": " << result.error.text();
+        EXPECT_NE(result.error.reason.find(c.reason), std::string::npos) << c.members << ": " << result.error.text();
+    }
+}
 
 }  // namespace
 }  // namespace swept::test
