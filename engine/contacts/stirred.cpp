@@ -137,7 +137,8 @@ private:
         const Real mass = massOf(struck);
         if (!(blow.mass >= kHeavy * mass)) { return; }
         const Blow handed{.length = blow.length / (1 + mass / blow.mass), .mass = blow.mass + mass};
-        if (!(handed.length > least) || isSensor(pair.proxyA) || isSensor(pair.proxyB)) { return; }
+        if (!(handed.length > kStirRatio * struck.widest) || !isMore(handed, stirs_.blows[slot])) { return; }
+        if (isSensor(pair.proxyA) || isSensor(pair.proxyB)) { return; }
         if (modeOf(world_, struck) == ContinuousMode::speculative || areOneChain(pair)) { return; }
         hand(slot, handed);
         wentOn_ = true;
@@ -155,6 +156,11 @@ private:
             std::lower_bound(members.begin(), members.end(), slot,
                              [](const JointChains::Member& member, std::uint32_t body) { return member.body < body; });
         return place != members.end() && place->body == slot ? place->lowest : kNoIndex;
+    }
+
+    /// Whatever comes first, the same is left.
+    static bool isMore(const Blow& blow, const Blow& than) {
+        return blow.length > than.length || (blow.length == than.length && blow.mass > than.mass);
     }
 
     void hand(std::uint32_t slot, const Blow& blow) {
@@ -187,6 +193,7 @@ private:
 }  // namespace
 
 void findStirred(WorldState& world, double dt) {
+    if (world.awake.empty()) { return; }  // all rests: what a step costs then is little
     if (world.settings.profile == Profile::accurate) {
         StirFinder(world, static_cast<Real>(dt)).find();
         return;
