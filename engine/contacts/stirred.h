@@ -9,8 +9,8 @@
 /// size.) So contacts reach ahead of stirred bodies, too, and what is held in balance is released before it is struck.
 ///
 /// A blow is what a body may move in the step. It is handed on to all that is near, as the speed that what it went
-/// through and what it comes to would have in common. Only profile `accurate` looks for it: in scenes in which little
-/// is so fast and so heavy it takes up to 3 % of a step.
+/// through and what it comes to would have in common. Only profile `accurate` looks for it: where little is so fast and
+/// so heavy, with all that it leads to, it takes less than a hundredth of a step.
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -109,12 +109,12 @@ struct WorldState : Workers {
     ParkedContacts parked;
     PairsOfShapes pairsOfShapes;
     std::vector<ContactPair> candidates;  ///< pairs of dynamic bodies that were never near enough to become contacts
-    std::vector<CandidateFate> candidateFates;  ///< by candidate, of this step
-    std::vector<ContactPair> promoted;          ///< scratch: candidates that become contacts
-    ContactLists lists;                         ///< of this step
-    std::vector<BodyGlance> glances;            ///< by body slot
-    std::vector<BodyTravel> travels;            ///< by body slot
-    Stirs stirs;
+    std::vector<CandidateFate> candidateFates;      ///< by candidate, of this step
+    std::vector<ContactPair> promoted;              ///< scratch: candidates that become contacts
+    ContactLists lists;                             ///< of this step
+    std::vector<BodyGlance> glances;                ///< by body slot
+    std::vector<BodyTravel> travels;                ///< by body slot
+    Stirs stirs;                                    ///< what something heavy is about to strike (stirred.h)
     std::vector<Aabb> neededBoxes;                  ///< by proxy: `neededBox` as of this step, or more
     std::vector<std::uint32_t> firstGroundContact;  ///< by body slot: see dropGhosts
     std::vector<std::uint32_t> nextGroundContact;   ///< by contact
