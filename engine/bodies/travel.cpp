@@ -67,7 +67,7 @@ void noteMotion(WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
     noteTravel(world, slot);
     BodyGlance& glance = world.glances[slot];
-    const Real reaching = glance.isStirred ? std::max(glance.motion, kStirRatio * body.widest) : glance.motion;
+    const Real reaching = reachMotion(glance.motion, glance.isStirred, body.widest);
     glance.ahead = reachOfMotion(reaching, body.widest, false);
     glance.turned = world.travels[slot].turned;
     glance.reach = reachFrom(body, glance.center, glance.ahead);

@@ -29,9 +29,14 @@ struct alignas(kLineOfFloats) BodyGlance {
     bool isAwake() const { return !(motion < 0); }
 };
 
-/// The motion by which contacts reach ahead of a body that is awake, metres.
+/// The motion by which contacts reach ahead of a body that moves by `motion`, metres: farther than that of what is
+/// about to be struck (stirred.h). @param widest  `Body::widest`
+inline Real reachMotion(Real motion, bool isStirred, Real widest) {
+    return isStirred ? std::max(motion, kStirRatio * widest) : motion;
+}
+/// Of one that is awake.
 inline Real reachMotion(const BodyGlance& glance) {
-    return glance.isStirred ? std::max(glance.motion, kStirRatio * glance.widest) : glance.motion;
+    return reachMotion(glance.motion, glance.isStirred, glance.widest);
 }
 
 /// How far any point of a body has turned about its centre since it was made, and the angle at which that was counted

@@ -222,8 +222,7 @@ inline Real motionBound(const WorldState& world, std::uint32_t slot, Real dt) {
 }
 /// The motion by which contacts reach ahead of a body, metres.
 inline Real reachMotion(const WorldState& world, std::uint32_t slot, Real dt) {
-    const Real motion = motionBound(world, slot, dt);
-    return world.glances[slot].isStirred ? std::max(motion, kStirRatio * world.bodies[slot].widest) : motion;
+    return reachMotion(motionBound(world, slot, dt), world.glances[slot].isStirred, world.bodies[slot].widest);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION
