@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "../shapes/chain.h"
 #include "../shapes/polygon.h"
@@ -24,6 +25,7 @@
 namespace swept::inline SWEPT_PRECISION {
 
 struct WorldState;
+struct SceneNames;
 
 /// A world of rigid bodies, advanced in fixed steps.
 ///
@@ -314,6 +316,8 @@ public:
     std::uint64_t stateHash() const;
 
 private:
+    friend std::string sceneOf(const World& world, const SceneNames& names);  // world_scene.h
+
     std::unique_ptr<WorldState> state_;
 };
 

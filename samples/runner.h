@@ -26,6 +26,8 @@ public:
     virtual RunReport report() const = 0;
     /// What this engine cannot do of the scene and does instead, one sentence each; empty for ours.
     virtual std::vector<std::string> approximations() const = 0;
+    /// The scene as it is now, to be begun from there, as JSON; empty of engines that cannot tell it.
+    virtual std::string sceneNow() const { return {}; }
 };
 
 enum class Precision : std::uint8_t { f32, f64 };

@@ -4,11 +4,13 @@
 #include <optional>
 #include <variant>
 
+#include "../engine/world_scene.h"
 #include "counter_names.h"
 #include "engine_refusal.h"
 #include "present_contacts.h"
 #include "runner.h"
 #include "scene_names.h"
+#include "scene_reader.h"
 #include "world_builder.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -107,6 +109,13 @@ public:
 
     const std::vector<SceneEvent>& events() const override { return events_; }
     std::vector<std::string> approximations() const override { return {}; }
+
+    std::string sceneNow() const override {
+        const World& world = built_.world;
+        return sceneOf(world, {.scene = scene_.name,
+                               .ofBody = [&](BodyId id) { return bodyName(scene_, world.userData(id)); },
+                               .ofJoint = [&](JointId id) { return jointName(scene_, world.userData(id)); }});
+    }
 
     RunReport report() const override {
         RunReport report = report_;

@@ -52,12 +52,16 @@ TurningSpring turningSpring(const Spring& spring, Real h, Real mass) {
     return turningSpringOf(kTwoPi * spring.hertz, spring.dampingRatio, h, mass);
 }
 
+Real rodMassOf(const WorldState& world, const Joint& joint) { return inverseOf(Rest(world, joint).pin.matrix.xx); }
+
+Real wheelMassOf(const WorldState& world, const Joint& joint) { return massAlong(Rest(world, joint).pin.matrix); }
+
 TurningSpring rodSpringOf(const WorldState& world, const Joint& joint, const Spring& spring, Real h) {
-    return turningSpring(spring, h, inverseOf(Rest(world, joint).pin.matrix.xx));
+    return turningSpring(spring, h, rodMassOf(world, joint));
 }
 
 TurningSpring wheelSpringOf(const WorldState& world, const Joint& joint, const Spring& spring, Real h) {
-    return turningSpring(spring, h, massAlong(Rest(world, joint).pin.matrix));
+    return turningSpring(spring, h, wheelMassOf(world, joint));
 }
 
 TurningSpring sliderSpringOf(const WorldState& world, const Joint& joint, const Spring& spring, Real h) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -75,6 +76,46 @@ TEST(CommandRun, WritesTheSceneThatItRuns) {
     const auto piped = runSwept({"run", "car", "--steps", "0", "--write-scene", "-"});
     EXPECT_EQ(piped.out, runSwept({"scenes", "--json", "car"}).out);
     EXPECT_NE(piped.err.find("car: 0 steps"), std::string::npos) << piped.err;
+}
+
+/// A run that is stopped half way goes on.
+TEST(CommandRun, WritesWhereItEnds) {
+    const ScratchDirectory scratch;
+    const std::string end = scratch.path("end.json");
+    const auto half = runSwept({"run", "car", "--steps", "40", "--csv", scratch.path("half.csv"), "--write-end", end});
+    ASSERT_EQ(half.exitCode, 0) << half.err;
+    EXPECT_NE(half.out.find("its end   " + end + '\n'), std::string::npos) << half.out;
+    const auto before = nlohmann::json::parse(runSwept({"scenes", "--json", "car"}).out);
+    const auto after = nlohmann::json::parse(scratch.read("end.json"));
+    EXPECT_EQ(after.at("name"), before.at("name"));
+    EXPECT_EQ(after.value("view", nlohmann::json()), before.value("view", nlohmann::json()));
+    ASSERT_EQ(after.at("bodies").size(), before.at("bodies").size());
+    for (std::size_t i = 0; i < before.at("bodies").size(); ++i) {
+        EXPECT_EQ(after.at("bodies")[i].at("name"), before.at("bodies")[i].value("name", "body" + std::to_string(i)));
+    }
+    // The last states of the one are the first of the other.
+    ASSERT_EQ(runSwept({"run", end, "--steps", "0", "--csv", scratch.path("on.csv")}).exitCode, 0);
+    const auto placesAt = [](const std::string& csv, const std::string& step) {
+        std::vector<std::array<double, 2>> places;
+        std::istringstream lines(csv);
+        for (std::string line; std::getline(lines, line);) {
+            std::istringstream fields(line);
+            std::vector<std::string> row;
+            for (std::string field; std::getline(fields, field, ',');) { row.push_back(field); }
+            if (row.at(0) == step) { places.push_back({std::stod(row.at(3)), std::stod(row.at(4))}); }
+        }
+        return places;
+    };
+    const auto wanted = placesAt(scratch.read("half.csv"), "40");
+    const auto found = placesAt(scratch.read("on.csv"), "0");
+    ASSERT_EQ(wanted.size(), before.at("bodies").size());
+    ASSERT_EQ(found.size(), wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        EXPECT_NEAR(found[i][0], wanted[i][0], 1e-6) << i;
+        EXPECT_NEAR(found[i][1], wanted[i][1], 1e-6) << i;
+    }
+    const auto piped = runSwept({"run", "car", "--steps", "40", "--write-end", "-"});
+    EXPECT_EQ(piped.out, scratch.read("end.json"));
 }
 
 TEST(CommandRun, WritesTheViewThatItDraws) {

@@ -39,6 +39,7 @@ struct RunArguments {
     std::string report;
     std::string json;  ///< another name of the same, which other commands have, too
     std::string writtenScene;
+    std::string writtenEnd;
     int threads = 1;
 
     const std::string& reportFile() const { return report.empty() ? json : report; }
@@ -121,6 +122,10 @@ void addRunOptions(Command command, RunArguments& arguments) {
                 "The scene as it is run, with what --set and --view change, as JSON, or -")
         .type("FILE");
     command
+        .option("--write-end", arguments.writtenEnd,
+                "The scene as the run leaves it, to be run on from there, as JSON, or -")
+        .type("FILE");
+    command
         .option("--threads", arguments.threads,
                 "Threads that the step may use; never changes the results. Small scenes use one all the same [1]")
         .type("N")
@@ -134,13 +139,15 @@ OutputFiles placesOf(const RunArguments& arguments, const LoadedScene& loaded, S
     outputs.addStream("--events", arguments.events);
     outputs.addStream(arguments.report.empty() ? "--json" : "--report", arguments.reportFile());
     outputs.addStream("--write-scene", arguments.writtenScene);
+    outputs.addStream("--write-end", arguments.writtenEnd);
     addPicturePlaces(outputs, arguments.pictures, span);
     return outputs;
 }
 
 /// Where people are told of the run: not in the midst of what another program reads.
 std::ostream& toldIn(const RunArguments& arguments) {
-    const auto files = {&arguments.csv, &arguments.events, &arguments.reportFile(), &arguments.writtenScene};
+    const auto files = {&arguments.csv, &arguments.events, &arguments.reportFile(), &arguments.writtenScene,
+                        &arguments.writtenEnd};
     const auto isPiped = [](const std::string* file) { return *file == "-"; };
     return std::any_of(files.begin(), files.end(), isPiped) ? std::cerr : std::cout;
 }
@@ -219,6 +226,7 @@ int finishRun(const RunArguments& arguments, const LoadedScene& loaded, const Ru
     printPlace(out, "events    ", arguments.events);
     printPlace(out, "report    ", arguments.reportFile());
     printPlace(out, "scene     ", arguments.writtenScene);
+    printPlace(out, "its end   ", arguments.writtenEnd);
     printPicturePlaces(out, arguments.pictures, {span.first, outcome.steps});
     warnOfBudget("maxPenetration", loaded.scene.settings.maxPenetration, report.deepestPenetration, "m");
     warnOfBudget("maxJointError", loaded.scene.settings.maxJointError, report.largestJointError, "m");
@@ -287,6 +295,15 @@ std::string sceneText(SceneDescription scene, const Camera& camera) {
     return textOfScene(scene);
 }
 
+/// The scene as the run left it, in the same form, with the same view.
+std::string endText(const Runner& runner, const LoadedScene& loaded, const Camera& camera) {
+    const std::string text = runner.sceneNow();
+    SceneResult end = readScene(text, loaded.source);
+    if (!end.scene) { return text; }  // a world may be where the format has no numbers
+    end.scene->view = loaded.scene.view;
+    return sceneText(std::move(*end.scene), camera);
+}
+
 int runScene(const RunArguments& arguments) {
     if (!arguments.report.empty() && !arguments.json.empty()) {
         return refuse("--report and --json are the same: give one of them, not both");
@@ -322,6 +339,9 @@ int runScene(const RunArguments& arguments) {
     if (!complete || (pictures && !pictures->finish(error))) {
         outputs.discard();
         return error.empty() ? kExitBadInput : refuse(error);
+    }
+    if (std::ostream* const file = outputs.stream(arguments.writtenEnd)) {
+        *file << endText(*runner, *loaded, *camera);
     }
     return finishRun(arguments, *loaded, *runner, outcome, *span, outputs);
 }

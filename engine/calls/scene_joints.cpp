@@ -1,0 +1,207 @@
+#include "scene_joints.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "../solve/joint_place.h"
+#include "../solve/rest_springs.h"
+#include "json_text.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+constexpr std::array kTypeNames{"revolute", "distance", "prismatic", "wheel",  "weld",
+                                "motor",    "mouse",    "gear",      "pulley", "filter"};
+static_assert(kTypeNames.size() == std::variant_size_v<JointParts>);
+
+using MotorPart = JointPart<MotorJointDef, MotorConstraint>;
+using GearPart = JointPart<GearJointDef, GearConstraint>;
+
+bool hasStrength(const MotorDrive& drive) { return drive.maxForce || drive.maxTorque; }
+
+/// What a joint is in a scene.
+JointType typeInScene(const Joint& joint) {
+    const auto* const motor = std::get_if<MotorPart>(&joint.parts);
+    return motor != nullptr && !hasStrength(motor->def.drive) ? JointType::filter : joint.type();
+}
+
+/// In double: a float would lose digits of a limit that is beyond many turns.
+Real lessBy(Real coordinate, double now) { return static_cast<Real>(static_cast<double>(coordinate) - now); }
+
+template <class Value>
+void addGiven(JsonObject& out, const char* key, const std::optional<Value>& value) {
+    if (value) { out.add(key, *value); }
+}
+
+void addSpring(JsonObject& out, const std::optional<Spring>& spring) {
+    if (!spring) { return; }
+    out.add("hertz", spring->hertz);
+    out.addUnless("dampingRatio", spring->dampingRatio, Real(0));
+}
+
+/// The same stiffness with another mass, and the same speed at which it loses its swing (`TurningSpring`). What moves
+/// along a rod or the axis of a wheel is another one where the bodies turned since the joint was made.
+std::optional<Spring> withMass(const std::optional<Spring>& spring, Real before, Real now) {
+    if (!spring || !(before > 0) || !(now > 0)) { return spring; }
+    const Real faster = std::sqrt(before / now);
+    return Spring{spring->hertz * faster, spring->dampingRatio / faster};
+}
+
+/// One that is as far as numbers go is none in a scene.
+template <class Limits>
+void addLimits(JsonObject& out, const std::optional<Limits>& limits, double now) {
+    constexpr Real kFar = std::numeric_limits<Real>::max() / 2;
+    if (!limits) { return; }
+    if (limits->lower > -kFar) { out.add("lower", lessBy(limits->lower, now)); }
+    if (limits->upper < kFar) { out.add("upper", lessBy(limits->upper, now)); }
+}
+
+void addMotor(JsonObject& out, const std::optional<AngularMotor>& motor) {
+    if (!motor) { return; }
+    out.add("motorSpeed", motor->speed);
+    out.add("maxMotorTorque", motor->maxTorque);
+}
+void addMotor(JsonObject& out, const std::optional<LinearMotor>& motor) {
+    if (!motor) { return; }
+    out.add("motorSpeed", motor->speed);
+    out.add("maxMotorForce", motor->maxForce);
+}
+
+/// What each kind of joint has of its own.
+struct JointMembers {
+    const WorldState& world;
+    const Joint& joint;
+    const ScenePlaces& places;
+    JsonObject& out;
+
+    void operator()(const HingePart& part) const {
+        out.add("anchor", anchorBOf(world, joint));
+        addGuide(part.def, angleOf(world, joint));
+    }
+    void operator()(const JointPart<PrismaticJointDef, PrismaticConstraint>& part) const { addSlide(part.def); }
+    void operator()(const JointPart<WheelJointDef, WheelConstraint>& part) const {
+        WheelJointDef def = part.def;
+        Joint now = madeNow(axisOf(world, joint));
+        now.localAnchorA = applyInverse(world.motions[joint.bodyA].pose, anchorBOf(world, joint));
+        def.spring = withMass(def.spring, wheelMassOf(world, joint), wheelMassOf(world, now));
+        addSlide(def);
+    }
+    void operator()(const JointPart<DistanceJointDef, DistanceConstraint>& part) const {
+        const DistanceJointDef& def = part.def;
+        out.add("anchorA", anchorAOf(world, joint));
+        out.add("anchorB", anchorBOf(world, joint));
+        if (def.spring || !def.limits) { out.add("length", lengthWithin(def.limits)); }
+        if (def.limits) {
+            out.addUnless("minLength", def.limits->min, Real(0));
+            if (def.limits->max < std::numeric_limits<Real>::infinity()) { out.add("maxLength", def.limits->max); }
+        }
+        addSpring(out,
+                  withMass(def.spring, rodMassOf(world, joint), rodMassOf(world, madeNow(directionOf(world, joint)))));
+    }
+    void operator()(const JointPart<WeldJointDef, WeldConstraint>& part) const {
+        const WeldJointDef& def = part.def;
+        out.add("anchor", anchorBOf(world, joint));
+        if (def.linearSpring) { out.add("linearHertz", def.linearSpring->hertz); }
+        if (def.angularSpring) { out.add("angularHertz", def.angularSpring->hertz); }
+        const std::optional<Spring>& damped = def.linearSpring ? def.linearSpring : def.angularSpring;
+        if (damped) { out.addUnless("dampingRatio", damped->dampingRatio, Real(0)); }
+    }
+    void operator()(const MotorPart& part) const {
+        const MotorDrive& drive = part.def.drive;
+        if (drive.maxForce) {
+            if (drive.linearVelocity) {
+                out.add("linearVelocity", *drive.linearVelocity);
+            } else {
+                out.add("linearOffset", drive.linearOffset.value_or(joint.localAnchorA));
+            }
+        }
+        if (drive.maxTorque) {
+            if (drive.angularVelocity) {
+                out.add("angularVelocity", *drive.angularVelocity);
+            } else {
+                out.add("angularOffset", lessBy(drive.angularOffset.value_or(0), angleOf(world, joint)));
+            }
+        }
+        addGiven(out, "maxForce", drive.maxForce);
+        addGiven(out, "maxTorque", drive.maxTorque);
+    }
+    void operator()(const JointPart<MouseJointDef, MouseConstraint>& part) const {
+        out.add("target", anchorAOf(world, joint));
+        out.add("anchor", anchorBOf(world, joint));
+        addSpring(out, part.def.spring);
+        addGiven(out, "maxForce", part.def.maxForce);
+    }
+    void operator()(const GearPart& part) const {
+        out.add("jointA", places.nameOf(part.def.jointA));
+        out.add("jointB", places.nameOf(part.def.jointB));
+        out.add("ratio", part.def.ratio);
+    }
+    void operator()(const JointPart<PulleyJointDef, PulleyConstraint>& part) const {
+        out.add("groundA", part.def.groundA);
+        out.add("groundB", part.def.groundB);
+        out.add("anchorA", anchorAOf(world, joint));
+        out.add("anchorB", anchorBOf(world, joint));
+        out.add("ratio", part.def.ratio);
+    }
+    void operator()(const FilterPart&) const {}
+
+private:
+    /// The joint if it were made at the present poses, as far as masses go. @param axis  unit, world
+    Joint madeNow(Vec2 axis) const {
+        Joint now = joint;
+        now.localAxis = unrotate(world.motions[joint.bodyA].pose.rotation, axis);
+        now.localAxisB = unrotate(world.motions[joint.bodyB].pose.rotation, axis);
+        return now;
+    }
+    /// @param now  its coordinate, which is 0 in the scene
+    template <class Def>
+    void addGuide(const Def& def, double now) const {
+        addLimits(out, def.limits, now);
+        addMotor(out, def.motor);
+        addSpring(out, def.spring);
+        if (def.spring) { out.add("springTarget", lessBy(def.springTarget, now)); }
+    }
+    template <class Def>
+    void addSlide(const Def& def) const {
+        out.add("anchor", anchorBOf(world, joint));
+        out.add("axis", axisOf(world, joint));
+        addGuide(def, static_cast<double>(translationOf(world, joint)));
+    }
+    Real lengthWithin(const std::optional<LengthLimits>& limits) const {
+        return limits ? std::clamp(joint.length, limits->min, limits->max) : joint.length;
+    }
+};
+
+}  // namespace
+
+bool isInScene(const WorldState& world, const Joint& joint) {
+    if (const auto* const gear = std::get_if<GearPart>(&joint.parts)) {
+        return isInScene(world, world.joints[gear->def.jointA.index]) &&
+               isInScene(world, world.joints[gear->def.jointB.index]);
+    }
+    if (typeInScene(joint) == JointType::filter && !joint.keepsApart()) { return false; }
+    const bool isDynamicB = world.bodies[joint.bodyB].isDynamic();
+    return isDynamicB || (joint.type() != JointType::mouse && world.bodies[joint.bodyA].isDynamic());
+}
+
+void appendJoint(std::string& text, const WorldState& world, JointId id, const ScenePlaces& places) {
+    const Joint& joint = world.joints[id.index];
+    const JointType type = typeInScene(joint);
+    JsonObject out(text);
+    if (const std::string name = places.givenName(id); !name.empty()) { out.add("name", name); }
+    out.add("type", kTypeNames[static_cast<std::size_t>(type)]);
+    out.add("bodyA", places.nameOf(world.bodies.idOf(joint.bodyA)));
+    out.add("bodyB", places.nameOf(world.bodies.idOf(joint.bodyB)));
+    if (type != JointType::filter) {
+        out.addUnless("collideConnected", joint.base.collideConnected, false);
+        addGiven(out, "breakForce", joint.base.breakForce);
+        addGiven(out, "breakTorque", joint.base.breakTorque);
+        std::visit(JointMembers{world, joint, places, out}, joint.parts);
+    }
+    out.close();
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

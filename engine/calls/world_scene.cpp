@@ -1,0 +1,198 @@
+#include "../world_scene.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "../state/world_state.h"
+#include "../world.h"
+#include "json_text.h"
+#include "scene_joints.h"
+#include "scene_places.h"
+
+namespace swept::inline SWEPT_PRECISION {
+namespace {
+
+constexpr std::array kBodyTypes{"static", "kinematic", "dynamic"};
+constexpr std::array kContinuousModes{"off", "speedLimit", "speculative", "stop", "subStep"};
+constexpr std::array kProfiles{"accurate", "fast"};
+constexpr std::array kMixingRules{"usual", "geometricMean", "average", "minimum", "product", "maximum"};
+constexpr std::array kBroadphases{"automatic", "allPairs", "sortAndSweep", "quadtree", "grid", "bvh", "wideBvh"};
+
+template <class Names, class Enumeration>
+const char* wordFor(const Names& names, Enumeration value) {
+    return names[static_cast<std::size_t>(value)];
+}
+
+void appendSettings(std::string& text, const WorldState& world) {
+    const WorldSettings& settings = world.settings;
+    const WorldSettings usual{};
+    JsonObject out(text);
+    if (world.lastDt > 0) { out.add("dt", world.lastDt); }
+    if (settings.profile != usual.profile) { out.add("profile", wordFor(kProfiles, settings.profile)); }
+    if (settings.subSteps) { out.add("subSteps", *settings.subSteps); }
+    if (settings.relaxPasses) { out.add("relaxPasses", *settings.relaxPasses); }
+    if (settings.continuous != usual.continuous) {
+        out.add("continuous", wordFor(kContinuousModes, settings.continuous));
+    }
+    out.addUnless("maxImpacts", settings.maxImpacts, usual.maxImpacts);
+    out.addUnless("maxSpeed", settings.maxSpeed, usual.maxSpeed);
+    out.addUnless("maxPenetration", settings.maxPenetration, usual.maxPenetration);
+    out.addUnless("maxJointError", settings.maxJointError, usual.maxJointError);
+    out.addUnless("maxLostTime", settings.maxLostTime, usual.maxLostTime);
+    if (settings.toiTolerance) { out.add("toiTolerance", *settings.toiTolerance); }
+    out.addUnless("sleep", settings.sleep, usual.sleep);
+    if (settings.broadphase != usual.broadphase) { out.add("broadphase", wordFor(kBroadphases, settings.broadphase)); }
+    out.close();
+}
+
+/// The points of a chain, from its first segment on.
+void addChain(JsonObject& out, const WorldState& world, const Shape& head) {
+    std::vector<Vec2> points{head.segment.p};
+    const Shape* last = &head;
+    for (;;) {
+        points.push_back(last->segment.q);
+        if (last->nextInChain == kNoIndex) { break; }
+        last = &world.shapes[last->nextInChain];
+    }
+    const ChainSegment& first = head.segment;
+    const ChainSegment& end = last->segment;
+    // An open one whose neighbours are its own points is one that is closed.
+    const bool isLoop = points.size() > 3 && points.front() == points.back() && first.hasBefore && end.hasAfter &&
+                        first.before == end.p && end.after == first.q;
+    if (isLoop) { points.pop_back(); }
+    JsonObject chain(out.begin("chain"));
+    chain.add("points", std::span<const Vec2>(points));
+    chain.addUnless("loop", isLoop, false);
+    if (!isLoop && first.hasBefore) { chain.add("before", first.before); }
+    if (!isLoop && end.hasAfter) { chain.add("after", end.after); }
+    chain.close();
+    out.addUnless("radius", first.radius, Real(0));
+}
+
+void addPolygon(JsonObject& out, const Polygon& polygon) {
+    const std::span<const Vec2> points(polygon.vertices.data(), static_cast<std::size_t>(polygon.count));
+    if (points.size() > 2) {
+        out.add("polygon", points);
+        out.addUnless("radius", polygon.radius, Real(0));
+        return;
+    }
+    if (points.size() == 2 && !(polygon.radius > 0)) { return out.add("segment", points); }
+    JsonObject round(out.begin(points.size() == 1 ? "circle" : "capsule"));
+    if (points.size() == 1) {
+        round.addUnless("center", points[0], Vec2{});
+    } else {
+        round.add("points", points);
+    }
+    round.add("radius", polygon.radius);
+    round.close();
+}
+
+void appendShape(std::string& text, const WorldState& world, const Shape& shape) {
+    const ShapeDef& def = shape.def;
+    const ShapeDef usual{};
+    JsonObject out(text);
+    if (shape.isChainSegment) {
+        addChain(out, world, shape);
+    } else {
+        addPolygon(out, shape.polygon);
+    }
+    out.addUnless("density", def.density, usual.density);
+    out.addUnless("friction", def.friction, usual.friction);
+    out.addUnless("restitution", def.restitution, usual.restitution);
+    out.addUnless("rollingResistance", def.rollingResistance, usual.rollingResistance);
+    out.addUnless("surfaceSpeed", def.surfaceSpeed, usual.surfaceSpeed);
+    if (def.frictionMixing != usual.frictionMixing) {
+        out.add("frictionMixing", wordFor(kMixingRules, def.frictionMixing));
+    }
+    if (def.restitutionMixing != usual.restitutionMixing) {
+        out.add("restitutionMixing", wordFor(kMixingRules, def.restitutionMixing));
+    }
+    out.addUnless("sensor", def.sensor, false);
+    if (!(def.filter == usual.filter)) {
+        JsonObject filter(out.begin("filter"));
+        filter.addUnless("category", def.filter.category, usual.filter.category);
+        filter.addUnless("mask", def.filter.mask, usual.filter.mask);
+        filter.addUnless("group", def.filter.group, usual.filter.group);
+        filter.close();
+    }
+    out.close();
+}
+
+void appendBody(std::string& text, const World& world, const WorldState& state, BodyId id, const ScenePlaces& places) {
+    const BodyDef def = world.definition(id);
+    const BodyDef usual{};
+    JsonObject out(text);
+    if (const std::string name = places.givenName(id); !name.empty()) { out.add("name", name); }
+    out.add("type", wordFor(kBodyTypes, def.type));
+    out.add("position", def.position);
+    out.addUnless("angle", def.angle, usual.angle);
+    out.addUnless("velocity", def.velocity, usual.velocity);
+    out.addUnless("angularVelocity", def.angularVelocity, usual.angularVelocity);
+    out.addUnless("bullet", def.bullet, false);
+    out.addUnless("fixedRotation", def.fixedRotation, false);
+    out.addUnless("linearDamping", def.linearDamping, usual.linearDamping);
+    out.addUnless("angularDamping", def.angularDamping, usual.angularDamping);
+    out.addUnless("gravityScale", def.gravityScale, usual.gravityScale);
+    if (def.type == BodyType::dynamic && def.enabled) { out.addUnless("awake", def.awake, true); }
+    out.addUnless("enabled", def.enabled, true);
+    if (def.continuous) { out.add("continuous", wordFor(kContinuousModes, *def.continuous)); }
+    if (def.mass > 0) { out.add("mass", def.mass); }
+    if (def.inertia > 0) { out.add("inertia", def.inertia); }
+    std::string& shapes = out.begin("shapes");
+    const char* before = "[";
+    world.visitShapes(id, [&](ShapeId shape) {
+        shapes += before;
+        before = ", ";
+        appendShape(shapes, state, state.shapes[shape.index]);
+    });
+    shapes += *before == '[' ? "[]" : "]";
+    out.close();
+}
+
+/// Between brackets, one to a line.
+template <class Id, class Append>
+void appendList(std::string& text, const std::vector<Id>& ids, const Append& append) {
+    text += '[';
+    const char* before = "\n  ";
+    for (const Id id : ids) {
+        text += before;
+        before = ",\n  ";
+        append(id);
+    }
+    text += ']';
+}
+
+}  // namespace
+
+std::string sceneOf(const World& world, const SceneNames& names) {
+    const WorldState& state = *world.state_;
+    ScenePlaces places{.names = names};
+    places.bodies.resize(state.bodies.slotCount());
+    places.joints.resize(state.joints.slotCount());
+    std::vector<BodyId> bodies;
+    std::vector<JointId> joints;
+    world.visitBodies([&](BodyId id) {
+        places.bodies[id.index] = static_cast<std::uint32_t>(bodies.size());
+        bodies.push_back(id);
+    });
+    world.visitJoints([&](JointId id) {
+        if (!isInScene(state, state.joints[id.index])) { return; }
+        places.joints[id.index] = static_cast<std::uint32_t>(joints.size());
+        joints.push_back(id);
+    });
+    std::string text;
+    JsonObject scene(text);
+    if (!names.scene.empty()) { scene.add("name", names.scene); }
+    scene.add("gravity", state.settings.gravity);
+    appendSettings(scene.begin("settings"), state);
+    scene.begin("bodies", "\n ");
+    appendList(text, bodies, [&](BodyId id) { appendBody(text, world, state, id, places); });
+    scene.begin("joints", "\n ");
+    appendList(text, joints, [&](JointId id) { appendJoint(text, state, id, places); });
+    scene.close();
+    text += '\n';
+    return text;
+}
+
+}  // namespace swept::inline SWEPT_PRECISION

@@ -1,0 +1,400 @@
+#include <swept/engine/world_scene.h>
+
+#include <swept/samples/built_in/builtin_scenes.h>
+#include <swept/samples/scene_reader.h>
+#include <swept/samples/world_builder.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include "../samples/random_scene.h"
+#include "mixed_scene.h"
+#include "world_support.h"
+
+/// A world as a scene is read by the reader of scenes, and what is made of that is where the world was, and goes on
+/// much as it does.
+
+namespace swept::test {
+namespace {
+
+/// As its bodies and joints are called in the scene that it was made of: user data are their places there.
+SceneNames namesOf(const SceneDescription& scene, const World& world) {
+    return {.scene = scene.name,
+            .ofBody = [&](BodyId id) { return scene.bodies[world.userData(id)].name; },
+            .ofJoint = [&](JointId id) { return scene.joints[world.userData(id)].name; }};
+}
+
+SceneWorld rebuilt(const std::string& text, const std::string& what) {
+    SceneWorld built;
+    const SceneResult read = readScene(text, what, {});
+    EXPECT_TRUE(read.scene.has_value()) << read.error.text() << '\n' << text;
+    std::string error;
+    if (read.scene) { EXPECT_TRUE(buildWorld(*read.scene, built, error)) << what << ": " << error << '\n' << text; }
+    return built;
+}
+
+template <class Id, class Visit>
+std::vector<Id> listOf(const Visit& visit) {
+    std::vector<Id> ids;
+    visit([&](Id id) { ids.push_back(id); });
+    return ids;
+}
+std::vector<BodyId> bodiesOf(const World& world) {
+    return listOf<BodyId>([&](auto visit) { world.visitBodies(visit); });
+}
+std::vector<JointId> jointsOf(const World& world) {
+    return listOf<JointId>([&](auto visit) { world.visitJoints(visit); });
+}
+std::vector<ShapeId> shapesOf(const World& world, BodyId body) {
+    return listOf<ShapeId>([&](auto visit) { world.visitShapes(body, visit); });
+}
+
+/// All vertices and radii: a hull may begin with another vertex.
+std::vector<std::vector<double>> pointsOf(const World& world, ShapeId shape) {
+    std::vector<std::vector<double>> points;
+    world.visitPolygons(shape, [&](const Polygon& polygon) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
+            const DVec2 vertex = toDouble(polygon.vertices[i]);
+            points.push_back({vertex.x, vertex.y, static_cast<double>(polygon.radius)});
+        }
+    });
+    std::sort(points.begin(), points.end());
+    return points;
+}
+
+void expectSameShapes(const World& world, BodyId body, const World& other, BodyId twin, const std::string& what) {
+    const std::vector<ShapeId> mine = shapesOf(world, body);
+    const std::vector<ShapeId> others = shapesOf(other, twin);
+    ASSERT_EQ(mine.size(), others.size()) << what;
+    for (std::size_t i = 0; i < mine.size(); ++i) {
+        EXPECT_EQ(pointsOf(world, mine[i]), pointsOf(other, others[i])) << what;
+        const ShapeDef a = world.definition(mine[i]);
+        const ShapeDef b = other.definition(others[i]);
+        const auto fields = [](const ShapeDef& def) {
+            return std::tuple{def.density,      def.friction,       def.restitution,       def.rollingResistance,
+                              def.surfaceSpeed, def.frictionMixing, def.restitutionMixing, def.sensor};
+        };
+        EXPECT_EQ(fields(a), fields(b)) << what;
+        EXPECT_TRUE(a.filter == b.filter) << what;
+    }
+}
+
+void expectSameBodies(const World& world, const World& other, const std::string& what) {
+    const std::vector<BodyId> mine = bodiesOf(world);
+    const std::vector<BodyId> others = bodiesOf(other);
+    ASSERT_EQ(mine.size(), others.size()) << what;
+    for (std::size_t i = 0; i < mine.size(); ++i) {
+        BodyDef a = world.definition(mine[i]);
+        BodyDef b = other.definition(others[i]);
+        // The world goes by centres of mass.
+        const double rounding = 1e-15 * (1 + length(a.position)) +
+                                (kIsDouble ? 1e-15 : 1e-6) * length(a.position - world.centerOfMass(mine[i]));
+        EXPECT_LE(length(a.position - b.position), rounding) << what << ", body " << i;
+        b.position = a.position;
+        a.userData = b.userData = 0;
+        if (a.type != BodyType::dynamic) { a.awake = b.awake; }  // the format has that of dynamic ones
+        EXPECT_TRUE(a == b) << what << ", body " << i;
+        // A hull may begin with another vertex, and its area is summed from there.
+        EXPECT_NEAR(world.mass(mine[i]), other.mass(others[i]), (kIsDouble ? 1e-6 : 1e-3) * world.mass(mine[i]))
+            << what << ", body " << i;
+        expectSameShapes(world, mine[i], other, others[i], what + ", body " + std::to_string(i));
+    }
+}
+
+/// A box whose corners a float cannot tell apart, so far from the origin, is a box of that size for the world, but no
+/// hull of its corners for the reader.
+bool isFlat(const std::string& text, const std::string& what) {
+    const SceneResult read = readScene(text, what, {});
+    SceneWorld built;
+    std::string error;
+    return read.scene && !buildWorld(*read.scene, built, error) && error.find("degenerate") != std::string::npos;
+}
+
+TEST(WorldScene, HasAllThatARandomSceneHas) {
+    int tried = 0;
+    int flat = 0;
+    std::map<JointType, int> kinds;
+    for (std::uint64_t seed = 0; seed < 1200; ++seed) {
+        const SceneDescription scene = SceneMaker(seed).make();
+        SceneWorld built;
+        std::string error;
+        if (!buildWorld(scene, built, error)) { continue; }  // what a float rounds to nothing
+        ++tried;
+        const std::string what = "seed " + std::to_string(seed);
+        const std::string text = sceneOf(built.world, namesOf(scene, built.world));
+        if (!kIsDouble && isFlat(text, what)) {
+            ++flat;
+            continue;
+        }
+        const SceneWorld again = rebuilt(text, what);
+        expectSameBodies(built.world, again.world, what);
+        const std::vector<JointId> joints = jointsOf(built.world);
+        for (const JointId joint : joints) { ++kinds[built.world.type(joint)]; }
+        // The names of what is there are those of the scene, so it is the same text again, but for the last digits of
+        // places that go by the centre of mass or by axes that are made unit ones.
+        const SceneResult read = readScene(text, what, {});
+        ASSERT_TRUE(read.scene.has_value());
+        EXPECT_EQ(read.scene->name, scene.name);
+        for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+            EXPECT_EQ(read.scene->bodies[i].name, scene.bodies[i].name) << what;
+        }
+        WorldSettings a = built.world.settings();
+        const WorldSettings b = again.world.settings();
+        EXPECT_EQ(std::tuple(a.gravity, a.profile, a.subSteps, a.relaxPasses, a.continuous, a.maxImpacts, a.maxSpeed),
+                  std::tuple(b.gravity, b.profile, b.subSteps, b.relaxPasses, b.continuous, b.maxImpacts, b.maxSpeed))
+            << what;
+        EXPECT_EQ(std::tuple(a.maxPenetration, a.maxJointError, a.maxLostTime, a.toiTolerance, a.sleep, a.broadphase),
+                  std::tuple(b.maxPenetration, b.maxJointError, b.maxLostTime, b.toiTolerance, b.sleep, b.broadphase))
+            << what;
+    }
+    EXPECT_GT(tried, 500);
+    EXPECT_LT(flat, tried / 2);
+    for (int type = 0; type <= static_cast<int>(JointType::filter); ++type) {
+        EXPECT_GT(kinds[static_cast<JointType>(type)], 15) << "kind " << type;
+    }
+}
+
+/// Two bars on a joint, that `make` makes, and the one that can move.
+struct Swing {
+    World world;
+    BodyId base;
+    BodyId bar;
+    JointId joint;
+};
+template <class Def>
+Swing swing(Def def, BodyType baseType = BodyType::fixed) {
+    Swing swing{makeWorld(), {}, {}, {}};
+    swing.base = addBody(swing.world, bodyAt(baseType, {0, 5}, 0.3), box(0.5, 0.2));
+    swing.bar = addBody(swing.world, dynamicAt({1, 5}, vec(1, 2), 2), box(1, 0.1));
+    def.base.bodyA = swing.base;
+    def.base.bodyB = swing.bar;
+    swing.joint = must(swing.world.createJoint(def));
+    return swing;
+}
+
+/// From 0.4 s on it goes on as the world itself does: limits, targets and motors are where they were.
+template <class Def>
+void expectToGoOn(const Def& def, double tolerance, const std::string& what, BodyType baseType = BodyType::fixed) {
+    Swing first = swing(def, baseType);
+    run(first.world, 24);
+    const std::string text = sceneOf(first.world);
+    SceneWorld again = rebuilt(text, what);
+    ASSERT_EQ(again.joints.size(), 1U) << text;
+    EXPECT_EQ(again.world.type(again.joints[0]), first.world.type(first.joint)) << what;
+    run(first.world, 120);
+    run(again.world, 120);
+    const DVec2 wanted = first.world.position(first.bar);
+    const DVec2 found = again.world.position(again.bodies[1]);
+    expectAtMost(what + ": place, m", length(found - wanted), tolerance);
+    expectAtMost(what + ": angle, rad", std::fabs(again.world.angle(again.bodies[1]) - first.world.angle(first.bar)),
+                 tolerance);
+}
+
+TEST(WorldScene, JointsGoOnFromWhereTheyAre) {
+    const Spring spring{real(2), real(0.2)};
+    RevoluteJointDef hinge;
+    hinge.anchor = {0.2, 5};
+    expectToGoOn(hinge, 1e-4, "hinge");
+    hinge.limits = AngleLimits{real(-0.9), real(0.35)};
+    expectToGoOn(hinge, 1e-4, "hinge with limits");
+    hinge.limits.reset();
+    hinge.spring = spring;
+    hinge.springTarget = real(0.7);
+    expectToGoOn(hinge, 1e-3, "hinge with a spring that aims");
+    hinge.motor = AngularMotor{real(-2), real(30)};
+    expectToGoOn(hinge, 1e-3, "hinge with a motor");
+
+    DistanceJointDef rod;
+    rod.anchorA = {0.1, 5.1};
+    rod.anchorB = {1.5, 5};
+    expectToGoOn(rod, 1e-4, "rod");
+    rod.length = real(1.7);
+    rod.spring = spring;
+    expectToGoOn(rod, 1e-3, "spring");
+    rod.limits = LengthLimits{real(1), real(1.9)};
+    expectToGoOn(rod, 2e-3, "spring within limits");
+    rod.spring.reset();
+    rod.length.reset();
+    rod.limits = LengthLimits{real(0), real(2.5)};
+    expectToGoOn(rod, 2e-3, "rope");
+
+    PrismaticJointDef slider;
+    slider.anchor = {0.2, 5};
+    slider.axis = {3, 1};
+    slider.limits = TranslationLimits{real(-0.8), real(0.6)};
+    expectToGoOn(slider, 1e-4, "slider with limits");
+    slider.limits.reset();
+    slider.spring = spring;
+    slider.springTarget = real(-0.4);
+    expectToGoOn(slider, 1e-3, "slider with a spring that aims");
+
+    WheelJointDef wheel;
+    wheel.anchor = {1, 5};
+    wheel.axis = {1, 2};
+    wheel.spring = spring;
+    wheel.springTarget = real(0.3);
+    wheel.limits = TranslationLimits{real(-0.5), real(0.7)};
+    wheel.motor = AngularMotor{real(4), real(2)};
+    expectToGoOn(wheel, 2e-3, "wheel");
+
+    WeldJointDef weld;
+    weld.anchor = {0.5, 5};
+    expectToGoOn(weld, 1e-4, "weld");
+
+    MotorJointDef motor;
+    motor.drive.maxForce = real(80);
+    motor.drive.maxTorque = real(20);
+    expectToGoOn(motor, 1e-3, "motor joint that keeps the pose");
+    motor.drive.linearOffset = vec(0.5, -0.5);
+    motor.drive.angularOffset = real(0.8);
+    expectToGoOn(motor, 1e-3, "motor joint with offsets");
+    motor.drive.linearOffset.reset();
+    motor.drive.angularOffset.reset();
+    motor.drive.linearVelocity = vec(0.25, 0.125);
+    motor.drive.angularVelocity = real(0.5);
+    expectToGoOn(motor, 1e-3, "motor joint with velocities");
+
+    MouseJointDef mouse;
+    mouse.target = {2, 6};
+    mouse.anchor = DVec2{1.7, 5};
+    mouse.spring = spring;
+    expectToGoOn(mouse, 2e-3, "mouse joint");
+
+    PulleyJointDef pulley;
+    pulley.groundA = {-1, 9};
+    pulley.groundB = {2, 9};
+    pulley.anchorA = {0, 5};
+    pulley.anchorB = {1, 5};
+    pulley.ratio = real(0.5);
+    Swing hung = swing(pulley, BodyType::dynamic);
+    SceneWorld again = rebuilt(sceneOf(hung.world), "pulley");
+    run(hung.world, 60);
+    run(again.world, 60);
+    expectAtMost("pulley: place, m", length(again.world.position(again.bodies[1]) - hung.world.position(hung.bar)),
+                 1e-3);
+}
+
+/// The axis of a slider turns with its base.
+TEST(WorldScene, AxesAreWhereTheyTurnedTo) {
+    World world = makeWorld(real(0));
+    const BodyId base = addBody(world, bodyAt(BodyType::kinematic, {0, 0}), box(0.2, 0.2));
+    const BodyId sled = addBody(world, dynamicAt({1, 0}), box(0.1, 0.1));
+    must(world.setVelocity(base, {}, real(1)));
+    PrismaticJointDef def;
+    def.base.bodyA = base;
+    def.base.bodyB = sled;
+    def.anchor = {1, 0};
+    def.axis = {1, 0};
+    def.limits = TranslationLimits{real(-0.5), real(0.25)};
+    const JointId joint = must(world.createJoint(def));
+    run(world, 90);
+    SceneWorld again = rebuilt(sceneOf(world), "turned");
+    run(world, 30);
+    run(again.world, 30);
+    const double begun = length(world.position(sled) - world.position(base)) - 1;
+    EXPECT_NEAR(begun, 0.25, 1e-3) << "flung out to its limit";
+    EXPECT_NEAR(static_cast<double>(world.jointTranslation(joint)), 0.25, 1e-3);
+    EXPECT_NEAR(static_cast<double>(again.world.jointTranslation(again.joints[0])), 0, 1e-3) << "which is its zero now";
+    expectAtMost("place, m", length(again.world.position(again.bodies[1]) - world.position(sled)), 1e-4);
+}
+
+TEST(WorldScene, BuiltInScenesAreReadAgainWhereverTheyAre) {
+    std::vector<SceneDescription> all;
+    for (const BuiltinScene& entry : builtinScenes()) { all.push_back(entry.make()); }
+    all.push_back(scenes::mixedScene());
+    for (const SceneDescription& scene : all) {
+        SceneWorld built;
+        std::string error;
+        ASSERT_TRUE(buildWorld(scene, built, error)) << error;
+        run(built.world, 40, scene.settings.dt);
+        SceneWorld again = rebuilt(sceneOf(built.world, namesOf(scene, built.world)), scene.name);
+        expectSameBodies(built.world, again.world, scene.name);
+        EXPECT_EQ(again.world.jointCount(), built.world.jointCount()) << scene.name;
+        run(again.world, 3, scene.settings.dt);
+    }
+}
+
+/// A wall that sleeps sleeps on.
+TEST(WorldScene, WhatSleepsSleepsOn) {
+    World world;
+    (void)addStatic(world, box(10, 0.5), {}, {0, -0.5});
+    for (int i = 0; i < 12; ++i) { addBody(world, dynamicAt({i % 3 * 1.25, 0.5 + i / 3}), box(0.5, 0.5)); }
+    runFor(world, 4);
+    ASSERT_EQ(world.counters().awakeBodies, 0);
+    SceneWorld again = rebuilt(sceneOf(world), "asleep");
+    run(again.world, 5);
+    for (const BodyId body : again.bodies) { EXPECT_FALSE(again.world.isAwake(body)); }
+}
+
+/// Slots and generations do not count: places do.
+TEST(WorldScene, AfterThingsWereDestroyed) {
+    World world = makeWorld();
+    std::vector<BodyId> links;
+    for (int i = 0; i < 5; ++i) { links.push_back(addBody(world, dynamicAt({0.5 * i, 3}), box(0.25, 0.1))); }
+    std::vector<JointId> hinges;
+    for (std::size_t i = 1; i < 5; ++i) {
+        RevoluteJointDef def;
+        def.base.bodyA = links[i - 1];
+        def.base.bodyB = links[i];
+        def.anchor = {0.5 * static_cast<double>(i) - 0.25, 3};
+        hinges.push_back(must(world.createJoint(def)));
+    }
+    GearJointDef gear;
+    gear.jointA = hinges[2];
+    gear.jointB = hinges[3];
+    gear.ratio = real(-2);
+    (void)must(world.createJoint(gear));
+    MotorJointDef idle;  // without strength, which keeps the two apart
+    idle.base.bodyA = links[2];
+    idle.base.bodyB = links[4];
+    (void)must(world.createJoint(idle));
+    must(world.destroyBody(links[0]));
+    const SceneWorld again = rebuilt(sceneOf(world), "destroyed");
+    ASSERT_EQ(again.bodies.size(), 4U);
+    ASSERT_EQ(again.joints.size(), 5U);
+    EXPECT_EQ(again.world.type(again.joints.back()), JointType::filter);
+    const auto wheels = std::get<GearJointDef>(again.world.definition(again.joints[3]));
+    EXPECT_EQ(wheels.jointA, again.joints[1]);
+    EXPECT_EQ(wheels.jointB, again.joints[2]);
+    EXPECT_EQ(wheels.ratio, real(-2));
+    // Nobody can be moved by what is left of it.
+    for (const std::size_t i : {std::size_t{1}, std::size_t{2}}) {
+        BodyDef def = world.definition(links[i]);
+        def.type = BodyType::kinematic;
+        must(world.redefine(links[i], def));
+    }
+    EXPECT_EQ(rebuilt(sceneOf(world), "held").joints.size(), 4U);
+}
+
+TEST(WorldScene, ChainsWithNeighboursAndLoops) {
+    World world;
+    const BodyId ground = must(world.createBody({}));
+    const std::vector<Vec2> open{vec(4, 0), vec(0, -1), vec(-4, 0)};
+    (void)must(world.addChain(ground, open, false, {}, real(0.05), {.before = vec(8, 1), .after = vec(-8, 1)}));
+    (void)must(world.addChain(ground, open, false));
+    const std::vector<Vec2> loop{vec(0, 3), vec(2, 3), vec(1, 5)};
+    (void)must(world.addChain(ground, loop, true));
+    const SceneResult read = readScene(sceneOf(world), "chains", {});
+    ASSERT_TRUE(read.scene.has_value()) << read.error.text();
+    const auto& shapes = read.scene->bodies[0].shapes;
+    const auto& first = std::get<ChainGeometry>(shapes[0].geometry);
+    EXPECT_EQ(first.before, (DVec2{8, 1}));
+    EXPECT_EQ(first.after, (DVec2{-8, 1}));
+    EXPECT_EQ(shapes[0].radius, static_cast<double>(real(0.05)) == 0.05 ? 0.05 : shapes[0].radius);
+    EXPECT_EQ(std::get<ChainGeometry>(shapes[1].geometry), (ChainGeometry{.points = {{4, 0}, {0, -1}, {-4, 0}}}));
+    EXPECT_EQ(std::get<ChainGeometry>(shapes[2].geometry),
+              (ChainGeometry{.points = {{0, 3}, {2, 3}, {1, 5}}, .loop = true}));
+}
+
+TEST(WorldScene, OfAWorldWithNothing) {
+    EXPECT_EQ(sceneOf(makeWorld(real(10))),
+              "{\"gravity\": [0, -10], \"settings\": {\"sleep\": false},\n \"bodies\": [],\n \"joints\": []}\n");
+}
+
+}  // namespace
+}  // namespace swept::test
