@@ -85,6 +85,9 @@ public:
         return {{pairs_.x[pair], pairs_.y[pair]}, {pairs_.c[pair], pairs_.s[pair]}};
     }
     ManifoldReach reachOf(std::size_t pair) const { return {pairs_.points[pair], pairs_.nearest[pair]}; }
+    const Polygon& polygonA(std::size_t pair) const { return *pairs_.a[pair]; }
+    /// Of a plain pair. @pre collided
+    Vec2 normalOf(std::size_t pair) const { return {pairs_.normalX[pair], pairs_.normalY[pair]}; }
     /// Whether nothing but `copyPoints` is to be done for the manifold, and the memory is to hold no verdict.
     /// @pre collided
     bool isPlain(std::size_t pair) const { return (pairs_.plain >> pair & 1U) != 0; }

@@ -105,7 +105,7 @@ void collideHeld(WorldState& world, IslandDesk& desk, double time, GroundOnTheWa
         const Transform bInA = relativePoseOf(world, contact);
         const Real reach = reachWithin(world, world.shapes[contact.shapeA], length) +
                            reachWithin(world, world.shapes[contact.shapeB], length);
-        island.heldSlides[i] = slideOf(contact, bInA);
+        noteSlide(island.heldSlides[i], contact, bInA);
         batches.add(nullptr, contact, bInA, {reach, reach});
     }
     batches.finish();

@@ -53,7 +53,7 @@ public:
             Contact& contact = *entry.contact;
             const Transform bInA = pairs_.poseOf(i);
             // Written where it belongs: a copy of what was just written has to wait for it.
-            if ((contact.dynamicA || isOfChains()) && pairs_.isPlain(i)) {
+            if (pairs_.isPlain(i) && keepsNormal(contact, i)) {
                 if (pairs_.hasPoints(i, contact.manifold)) {  // as mostly: impulses stay where they are
                     pairs_.copyPoints(i, contact.manifold);
                 } else {
@@ -93,6 +93,10 @@ private:
     };
 
     bool isOfChains() const { return pairs_.kind() == PairKind::chain; }
+    /// Of a plain pair: whether its manifold is as it was found, as that of most of what stands on ground is, too.
+    bool keepsNormal(const Contact& contact, std::size_t pair) const {
+        return contact.dynamicA || isOfChains() || !mayTurnToGround(pairs_.polygonA(pair), pairs_.normalOf(pair));
+    }
     /// What came apart, is beyond what batches are for, or stands on ground.
     void renewOther(const WorldState& world, std::size_t pair, Contact& contact, const Transform& bInA) const {
         Manifold closest;

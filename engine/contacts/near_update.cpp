@@ -79,11 +79,16 @@ SWEPT_FORCE_INLINE void finishNear(const WorldState& world, ContactProbe& probe,
     // Looked up, not branched on, like the rest: nothing foretells whether it touched, or has points.
     static constexpr std::array<Real, 2> kRatios{kBeginRatio, kEndRatio};
     const Real limit = kRatios[contact.touching ? 1 : 0] * contact.extent;
+    // All of it is known before any is written: these share a byte, and whoever reads what was just written waits.
+    const bool turns = (int{contact.manifold.count > 0} & int{deepest <= limit}) != int{contact.touching};
+    const bool isOpen = deepest > kEndRatio * contact.extent;
+    const bool isDeep = (int{!probe.isPlain} & int{deepest < -kShallowRatio * contact.extent}) != 0;
+    const bool mayMeetNow = deepest > limit && mayMeet(world, contact, deepest);
     probe.points = static_cast<std::uint8_t>(contact.manifold.count);
-    probe.turns = (int{contact.manifold.count > 0} & int{deepest <= limit}) != int{contact.touching};
-    probe.isOpen = deepest > kEndRatio * contact.extent;
-    probe.mayMeet = deepest > limit && mayMeet(world, contact, deepest);
-    probe.isDeep = !probe.isPlain && deepest < -kShallowRatio * contact.extent;
+    probe.turns = turns;
+    probe.isOpen = isOpen;
+    probe.mayMeet = mayMeetNow;
+    probe.isDeep = isDeep;
 }
 
 /// Gives contacts that may have points their manifolds, in any order: writes only to them, their probes and their
@@ -112,7 +117,7 @@ public:
                                     (isUp(world_, contact.bodyB) || !probe.dynamicB));
         probe.wasKept = mayKeepManifold(contact, bInA) && keepsManifold(contact, bInA, reach);
         if (!probe.wasKept) {
-            if (!probe.isPlain) { slides_[probe.contact] = slideOf(contact, bInA); }
+            if (!probe.isPlain) { noteSlide(slides_[probe.contact], contact, bInA); }
             return batches_.add(&probe, contact, bInA, reach);
         }
         settle(probe, contact, bInA);

@@ -34,6 +34,8 @@ Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, 
     return turnedToGround(world, a, b, bInA, reach.points, collide(a.polygon, b.polygon, bInA, reach, memory));
 }
 
+bool mayTurnToGround(const Polygon& a, Vec2 normal) { return a.count == 1 || faceBeside(a, normal) >= 0; }
+
 Manifold turnedToGround(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin,
                         const Manifold& closest) {
     if (closest.count == 0 || world.bodies[a.body].isDynamic()) { return closest; }

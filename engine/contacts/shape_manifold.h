@@ -13,6 +13,8 @@ namespace swept::inline SWEPT_PRECISION {
 Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA,
                        ManifoldReach reach, ManifoldMemory& memory);
 Manifold shapeManifold(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin);
+/// Whether that may be another normal than the one that was found. @pre A is ground, and no chain segment
+bool mayTurnToGround(const Polygon& a, Vec2 normal);
 /// The second half of that: from the manifold of the closest features (`collide`). @pre no chain segments
 Manifold turnedToGround(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin,
                         const Manifold& closest);

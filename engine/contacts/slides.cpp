@@ -89,20 +89,19 @@ void press(const Foot& foot, Real share, const Load& load) {
 
 }  // namespace
 
-Slide slideOf(const Contact& contact, const Transform& bInA) {
-    Slide slide;
-    if (contact.dynamicA || !contact.dynamicB || contact.manifold.count == 0 || !contact.pressedOn) { return slide; }
+void noteSlide(Slide& slide, const Contact& contact, const Transform& bInA) {
+    slide = {};
+    if (contact.dynamicA || !contact.dynamicB || contact.manifold.count == 0 || !contact.pressedOn) { return; }
     const Vec2 normal = contact.manifold.normal;
     const Transform& before = contact.kept.bInA;
     const Vec2 moved = bInA.translation - before.translation;
-    if (!(lengthSquared(moved) > square(kSamePlaceRatio * contact.extent))) { return slide; }
+    if (!(lengthSquared(moved) > square(kSamePlaceRatio * contact.extent))) { return; }
     slide.normal = normal;
     for (std::size_t k = 0; k < static_cast<std::size_t>(contact.manifold.count); ++k) {
         slide.impulse += contact.normalImpulse[k];
         slide.tangentImpulse += contact.tangentImpulse[k];
         slide.moment += contact.normalImpulse[k] * leverOf(contact.manifold.points[k].point, before, normal);
     }
-    return slide;
 }
 
 void carryAlong(const WorldState& world, const GroundContacts& contacts) {

@@ -13,7 +13,8 @@
 namespace swept::inline SWEPT_PRECISION {
 
 /// What a contact whose manifold is about to be renewed carried if B has slid along A since.
-Slide slideOf(const Contact& contact, const Transform& bInA);
+/// @param slide  what becomes of it. (Not returned: a copy of what was just written has to wait for it.)
+void noteSlide(Slide& slide, const Contact& contact, const Transform& bInA);
 
 /// The contacts of one body with ground, among others: linked from the first one on.
 struct GroundContacts {

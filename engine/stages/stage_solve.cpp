@@ -98,7 +98,7 @@ void solveTiedBodies(WorldState& world, double dt) {
     efforts.clear();
     const bool areAllSolved = !world.fastIslands.any;
     for (std::size_t i = 0; i < world.tied.size(); ++i) {
-        const Effort effort = world.tiedEfforts[i];
+        const Effort& effort = world.tiedEfforts[i];
         if (!efforts.empty() && effort == efforts.back()) { continue; }  // as mostly: no body is asked
         if (!areAllSolved && world.bodies[world.tied[i]].role != BodyRole::solved) { continue; }
         if (std::find(efforts.begin(), efforts.end(), effort) == efforts.end()) { efforts.push_back(effort); }
