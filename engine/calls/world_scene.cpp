@@ -137,8 +137,10 @@ void appendBody(std::string& text, const World& world, const WorldState& state, 
     if (def.type == BodyType::dynamic && def.enabled) { out.addUnless("awake", def.awake, true); }
     out.addUnless("enabled", def.enabled, true);
     if (def.continuous) { out.add("continuous", wordFor(kContinuousModes, *def.continuous)); }
-    if (def.mass > 0) { out.add("mass", def.mass); }
-    if (def.inertia > 0) { out.add("inertia", def.inertia); }
+    if (def.type == BodyType::dynamic) {  // others may have been, and be so again: the format has no word for that
+        if (def.mass > 0) { out.add("mass", def.mass); }
+        if (def.inertia > 0) { out.add("inertia", def.inertia); }
+    }
     std::string& shapes = out.begin("shapes");
     const char* before = "[";
     world.visitShapes(id, [&](ShapeId shape) {

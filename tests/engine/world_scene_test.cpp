@@ -14,6 +14,7 @@
 
 #include "../samples/random_scene.h"
 #include "mixed_scene.h"
+#include "vandal.h"
 #include "world_support.h"
 
 /// A world as a scene is read by the reader of scenes, and what is made of that is where the world was, and goes on
@@ -157,6 +158,25 @@ TEST(WorldScene, HasAllThatARandomSceneHas) {
     for (int type = 0; type <= static_cast<int>(JointType::filter); ++type) {
         EXPECT_GT(kinds[static_cast<JointType>(type)], 15) << "kind " << type;
     }
+}
+
+/// Whatever was called, in any order: what is left is a scene that the reader takes.
+TEST(WorldScene, OfAnyWorldIsRead) {
+    int tried = 0;
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        Vandal vandal(seed, Sizes::usual);
+        for (int act = 0; act < 300; ++act) {
+            vandal.act();
+            if (act % 50 != 49 || vandal.world().isValid(vandal.world().bodyWithoutMass())) { continue; }
+            ++tried;
+            const std::string text = sceneOf(vandal.world());
+            const SceneResult read = readScene(text, "vandal", {});
+            ASSERT_TRUE(read.scene.has_value())
+                << "seed " << seed << ", act " << act << ": " << read.error.text() << '\n'
+                << text;
+        }
+    }
+    EXPECT_GT(tried, 100);
 }
 
 /// Two bars on a joint, that `make` makes, and the one that can move.
