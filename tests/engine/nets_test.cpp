@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
 #include <vector>
 
+#include "../support/random.h"
 #include "joint_support.h"
 
 /// Joints that close loops of more than 64 bodies, or that touch something: but for long thin ones that touch nothing
@@ -250,6 +254,58 @@ TEST(Nets, TanksDriveOnTheirTracks) {
     for (const JointId axle : tank.axles) { must(tank.world.setAngularMotor(axle, AngularMotor{0, 800})); }
     run(tank.world, 20 * kSecond);
     for (const BodyId plate : tank.plates) { EXPECT_LT(length(velocityOf(tank.world, plate)), 1e-3); }
+}
+
+/// A net of 64 discs of 7 kg that hangs on two hinges, and three balls of 30 to 2300 kg that strike it at up to 30 m/s,
+/// one after the other. Between two blows nothing touches it: its joints are solved all at once, and close the gaps
+/// that the blow made, in loops with 2e7 N·s or more. The next blow began with these: it tore gaps of up to 2.3 m, and
+/// the net had twice its energy. (Box2D 3 with its defaults: 0.55 m.)
+TEST(Nets, BeginABlowWithoutWhatClosedTheirGaps) {
+    constexpr int kSide = 8;
+    constexpr double kPitch = 0.6;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        Random random(seed);
+        World world = makeWorld(Profile::accurate);
+        const BodyId level = anchorOf(world);
+        std::vector<BodyId> bodies;
+        std::vector<JointId> joints;
+        const auto tie = [&](BodyId a, BodyId b, DVec2 place) {
+            joints.push_back(must(world.createJoint(RevoluteJointDef{.base = between(a, b), .anchor = place})));
+        };
+        for (int i = 0; i < kSide; ++i) {
+            for (int j = 0; j < kSide; ++j) {
+                const DVec2 place{(i - kSide / 2) * kPitch, 4 - j * kPitch};
+                bodies.push_back(
+                    addBody(world, dynamicAt(place), circle(0.15), {.density = 100, .filter = {.group = -1}}));
+                const std::size_t last = bodies.size() - 1;
+                if (i > 0) { tie(bodies[last - kSide], bodies[last], place - DVec2{0.5 * kPitch, 0}); }
+                if (j > 0) { tie(bodies[last - 1], bodies[last], place + DVec2{0, 0.5 * kPitch}); }
+                if (j == 0 && (i == 0 || i == kSide - 1)) { tie(level, bodies[last], place); }
+            }
+        }
+        for (int i = 0; i < 3; ++i) {
+            const double height = random.range(-0.5, 3);
+            const double radius = random.range(0.3, 0.6);
+            const double density = random.range(100, 2000);
+            const BodyDef ball = dynamicAt({-8.0 - 3 * i, height}, vec(random.range(10, 30), 2));
+            bodies.push_back(addBody(world, ball, circle(radius), {.density = real(density)}));
+        }
+        double base = 0;  // of heights, which count from 20 m below
+        for (const BodyId body : bodies) { base += world.mass(body) * kGravity * 20; }
+        const double start = energyOf(world, bodies, kGravity) + base;
+        double most = start;
+        double widest = 0;
+        for (int step = 0; step < 2 * kSecond; ++step) {
+            run(world, 1);
+            most = std::max(most, energyOf(world, bodies, kGravity) + base);
+            for (const JointId joint : joints) {
+                widest = std::max(widest, static_cast<double>(world.jointError(joint)));
+            }
+        }
+        const std::string what = "seed " + std::to_string(seed);
+        expectAtMost(what + ": gap", widest, 0.3);
+        expectAtMost(what + ": energy", most, 1.001 * start);
+    }
 }
 
 }  // namespace
