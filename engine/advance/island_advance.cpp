@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "../flight/chain_crossing.h"
 #include "../flight/clamp.h"
@@ -63,7 +64,8 @@ void addUpReactions(Course& course, double time) {
     }
 }
 
-void solvePart(Course& course, double time) {
+/// @return whether it was solved as it should be
+bool solvePart(Course& course, double time) {
     AdvancingIsland& island = course.island;
     yieldToGround(course.world, island);
     const StepPart part{.begin = course.elapsed,
@@ -74,16 +76,31 @@ void solvePart(Course& course, double time) {
     putTotalsAside(island);
     island.group = island.members;
     course.ground.addMet(island.group);
-    solveGroup(course.world,
-               {.desk = course.desk,
-                .role = BodyRole::together,
-                .effort = course.world.bodies[island.members[0]].effort,
-                .bodies = island.group,
-                .contacts = island.held,
-                .joints = island.jointSlots},
-               part);
+    const bool isSolved = solveGroup(course.world,
+                                     {.desk = course.desk,
+                                      .role = BodyRole::together,
+                                      .effort = course.world.bodies[island.members[0]].effort,
+                                      .bodies = island.group,
+                                      .contacts = island.held,
+                                      .joints = island.jointSlots},
+                                     part);
     addUpTotals(island);
     addUpReactions(course, time);
+    return isSolved;
+}
+
+/// Whether the contacts of the island are solved all at once, which may be in vain.
+bool isSearched(const Course& course) {
+    return course.world.bodies[course.island.members[0]].effort.direct == DirectScope::all;
+}
+
+/// What is left of the step is iterated. Impulses of a search that is given up in one of its later sub-steps are
+/// nothing to go on from: they may have grown in all of the ones before (`DirectContacts::isSqueezed`).
+void iterateTheRest(Course& course) {
+    for (const std::uint32_t slot : course.island.members) {
+        Effort& effort = course.world.bodies[slot].effort;
+        effort = {.doublings = std::max(effort.doublings, std::int8_t{0})};
+    }
 }
 
 /// @param isTried  whether the part may be taken back
@@ -232,7 +249,7 @@ double accept(Course& course, double time) {
 /// Tries one part. @return seconds that the island got on, or 0: taken back, to be tried with `next`
 double tryPart(Course& course, double time, bool fits, double& next) {
     const bool isLast = time < 2 * course.shortest;  // try: it stays as it is
-    remember(course, !isLast);
+    remember(course, !isLast || isSearched(course));
     course.ground.goTo(course.elapsed);
     // The whole step begins with the contacts that it has found already.
     if (course.elapsed > 0 || time < course.dt) {
@@ -242,7 +259,11 @@ double tryPart(Course& course, double time, bool fits, double& next) {
         shareCrossings(course.island, course.scratch);
     }
     course.scratch.meetsBacks = !course.scratch.crossings.empty();
-    solvePart(course, time);
+    if (!solvePart(course, time)) {
+        takeBack(course);
+        iterateTheRest(course);
+        return tryPart(course, time, fits, next);
+    }
     next = growthOf(course.world.settings) * std::max(time, course.shortest);
     if (isLast) {
         holdMembers(course, time, true);

@@ -110,7 +110,7 @@ SolverSettings settingsOf(const WorldState& world, const TiedGroup& group, const
             .direct = plan.scope,
             .leastClosing = leastClosingOf(world, group, plan.part),
             .patient = group.effort.isLarge,
-            .takenBack = group.role == BodyRole::solved,
+            .takenBack = true,
             .settled = group.effort.isSettled};
 }
 

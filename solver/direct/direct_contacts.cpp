@@ -28,6 +28,14 @@ constexpr std::size_t kFewestOfWide = 129;
 
 /// What comes nearer by more than this part of what it did, after some of them, is not stopped by more.
 constexpr double kLeftOfSqueezed = 1.0 / 8;
+/// What a mover presses through a wedge carries some times the momentum that all would have at its speed; what is
+/// jammed carries thousands of times that.
+constexpr double kMostOfMomentum = 8;
+
+/// m/s: how fast something kinematic moves at a point; 0 of all else.
+double leadOf(const SolverBatch& batch, BodySlot slot, Vec2 anchor) {
+    return isMovable(batch.inertias[slot]) ? 0 : static_cast<double>(length(velocityAt(batch.states[slot], anchor)));
+}
 
 }  // namespace
 
@@ -182,23 +190,37 @@ void DirectContacts::gatherOf(const Part& part, const SolverBatch& batch, Real h
 /// Whether something is between a kinematic body that comes and what does not yield: it still comes nearer, as fast as
 /// if nothing pressed. No impulses stop that. Each solve would add as much again, until friction with such impulses
 /// flings the body away, when iteration takes over. (A box of 0.4 kg under a lift of 1.6 m/s: 5e4 N·s in a sub-step,
-/// 7 km/s.)
+/// 7 km/s.) Or it is jammed, and impulses that have nothing to do with any momentum make it turn or slip after all:
+/// those of the next sub-step are as large, for other places. (A car of a ton that another one, kinematic, rammed into
+/// a corner at 9 m/s, beside a cone of a kilogram: 2e7 N·s in a sub-step; as that was given up, iteration began with
+/// them, and the car had 84 m/s, the cone 1 km/s.)
 bool DirectContacts::isSqueezed(const SolverBatch& batch, const DirectSystem& system) {
-    const auto moves = [&batch](BodySlot slot) {
-        const BodyState& state = batch.states[slot];
-        return !isMovable(batch.inertias[slot]) && (state.velocity != Vec2{} || state.angularVelocity != 0);
-    };
     bool any = false;
     for (Part& part : parts_) {
-        if (!part.hasTightened) { continue; }
+        if (!part.mayBeSqueezed) { continue; }
+        double speed = 0;
+        double most = 0;
+        bool isDriven = false;
         for (const Point& contact : pointsOf(part)) {
             const SystemRow& normal = contact.normal;
-            if (contact.normalHold != Hold::held || !(normal.excess < 0)) { continue; }
-            if (!moves(contact.contact->slotA) && !moves(contact.contact->slotB)) { continue; }
-            if (system.changedExcess(normal) >= kLeftOfSqueezed * normal.excess) { continue; }
+            if (contact.normalHold != Hold::held) { continue; }
+            most = std::max(most, normal.impulse);
+            speed = std::max(speed, std::fabs(normal.excess));
+            const double led = std::max(leadOf(batch, contact.contact->slotA, contact.point->anchorA),
+                                        leadOf(batch, contact.contact->slotB, contact.point->anchorB));
+            if (!(led > 0)) { continue; }
+            isDriven = true;
+            speed = std::max(speed, led);
+            if (!(normal.excess < 0) || system.changedExcess(normal) >= kLeftOfSqueezed * normal.excess) { continue; }
             takesLong_[contact.island] = 1;
             part.isInVain = any = true;
         }
+        if (!isDriven) { continue; }
+        double mass = 0;
+        for (std::size_t i = part.nodes.begin; i < part.nodes.end; ++i) { mass += system.nodes()[i].mass; }
+        if (!(most > kMostOfMomentum * mass * speed)) { continue; }
+        for (const Point& contact : pointsOf(part)) { takesLong_[contact.island] = 1; }
+        part.isInVain = any = true;
     }
     return any;
 }

@@ -78,13 +78,13 @@ private:
         NodeRange nodes;
         std::size_t begin = 0;  ///< of its points
         std::size_t end = 0;
-        bool isWide = false;        ///< many bodies in loops: see `kFewestOfWide`
-        int spareRounds = 0;        ///< since the step began, for what takes more than the usual
-        int rounds = 0;             ///< since the step began
-        bool hasTightened = false;  ///< in the last search
-        bool isLong = false;        ///< that took more rounds than usual
-        bool isInVain = false;      ///< in one of the step: nothing was found
-        bool isFar = false;         ///< some separation is too large
+        bool isWide = false;         ///< many bodies in loops: see `kFewestOfWide`
+        int spareRounds = 0;         ///< since the step began, for what takes more than the usual
+        int rounds = 0;              ///< since the step began
+        bool mayBeSqueezed = false;  ///< the last search went on for long
+        bool isLong = false;         ///< that took more rounds than usual
+        bool isInVain = false;       ///< in one of the step: nothing was found
+        bool isFar = false;          ///< some separation is too large
     };
 
     void orderByPart(const SolverBatch& batch, const DirectSystem& system);

@@ -320,10 +320,11 @@ bool DirectContacts::tighten(const Part& part) {
 }
 
 bool DirectContacts::searchIn(Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
-    part.hasTightened = false;
+    part.mayBeSqueezed = false;
     const double weaker = isPatient_ ? kWeakerOfPatient : kWeaker;
     int tightenings = 0;
-    for (int round = 0; round < kMostLimitRounds; ++round) {
+    int round = 0;
+    for (; round < kMostLimitRounds; ++round) {
         while (!settle(part, system, joints, report)) {
             if (!(system.strength() > kWeakest) || roundsLeft_ <= 0) { return false; }
             system.setStrength(weaker * system.strength());
@@ -339,7 +340,7 @@ bool DirectContacts::searchIn(Part& part, DirectSystem& system, const DirectJoin
         // what they gave way by: a third of all points were let go, and taken back in as many rounds.
         if (!part.isWide) { classify(part, system, false); }
     }
-    part.hasTightened = tightenings > 0;
+    part.mayBeSqueezed = tightenings > 0 || round == kMostLimitRounds;
     return true;
 }
 
