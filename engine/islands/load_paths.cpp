@@ -20,6 +20,10 @@ constexpr Real kGuessRatio = Real(1) / (1 << 7);
 /// Of what the limits allow to be left of a load: what is aimed at, and what will do.
 constexpr double kWantedShare = 1.0 / 64;
 constexpr double kAcceptedShare = 1.0 / 2;
+/// Rounds over the points of a body in which pushes have to come up by themselves, and what may be left of its load
+/// then.
+constexpr int kPressRounds = 64;
+constexpr double kPressedShare = 1.0 / 32;
 
 /// What the step that is sought for is made of.
 struct LoadSearch {
@@ -171,6 +175,38 @@ bool balanceBody(const LoadSearch& search, std::uint32_t slot, std::span<LoadPoi
     return true;
 }
 
+/// Walls on both sides could hold anything, if only they pressed hard enough: that a box which just fits between them
+/// stays is a solution, too, but nothing makes them press. So each point in turn pushes as far as the load drives the
+/// body into it, and rubs as far as it pushes, from what it did before on. If that leaves nothing of the load, the
+/// points press because of it (as under a plank that leans on a wall), or already did.
+bool doesLoadPress(const LoadSearch& search, std::uint32_t slot, std::span<const LoadPoint> points) {
+    const Body& body = search.world.bodies[slot];
+    Wrench left = search.paths.loads[slot];
+    const double most = kPressedShare * length(left.force);
+    std::vector<LoadPoint>& tried = search.paths.spare;  // has room for all
+    tried.assign(points.begin(), points.end());
+    for (const LoadPoint& point : tried) { addTo(left, impulseOf(point), point.armOfCarried); }
+    const double byTurn = body.mass * body.inverseInertia;
+    const auto stopping = [&left, byTurn](DVec2 way, DVec2 arm) {
+        const double lever = cross(arm, way);
+        return -(dot(left.force, way) + byTurn * left.twist * lever) / (1 + byTurn * lever * lever);
+    };
+    const auto change = [&left](double& impulse, double to, DVec2 way, DVec2 arm) {
+        addTo(left, (to - impulse) * way, arm);
+        impulse = to;
+    };
+    for (int round = 0; round < kPressRounds; ++round) {
+        for (LoadPoint& point : tried) {
+            const DVec2 arm = point.armOfCarried;
+            change(point.push, std::max(point.push + stopping(point.normal, arm), 0.0), point.normal, arm);
+            const double rub = point.friction * point.push;
+            change(point.drag, std::clamp(point.drag + stopping(point.tangent, arm), -rub, rub), point.tangent, arm);
+        }
+    }
+    const double twist = body.inverseInertia > 0 ? std::fabs(left.twist) / static_cast<double>(body.radius) : 0;
+    return std::max(length(left.force), twist) <= most;
+}
+
 /// @return whether it could be held
 bool handDown(const LoadSearch& search, std::uint32_t slot) {
     LoadPaths& paths = search.paths;
@@ -180,7 +216,9 @@ bool handDown(const LoadSearch& search, std::uint32_t slot) {
     if (!balanceBody(search, slot, points, false)) {
         const auto isAtSide = [](const LoadPoint& point) { return point.isAtSide; };
         const bool hasSides = std::any_of(points.begin(), points.end(), isAtSide);
-        if (!hasSides || !balanceBody(search, slot, points, true)) { return false; }
+        if (!hasSides || !doesLoadPress(search, slot, points) || !balanceBody(search, slot, points, true)) {
+            return false;
+        }
     }
     for (const LoadPoint& point : points) {
         if (point.carrier == kNoIndex) { continue; }

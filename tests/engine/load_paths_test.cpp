@@ -1,3 +1,4 @@
+#include <cmath>
 #include <iostream>
 
 #include "world_support.h"
@@ -172,6 +173,54 @@ TEST(LoadPaths, ScalesTellUnlikeWeights) {
             EXPECT_EQ(pile.isHeld(), excess == 0);
             run(pile.world, 60);
             EXPECT_EQ(pile.worstMove() == 0, excess == 0);
+        }
+    }
+}
+
+/// Walls that a crate just fits between could hold it, were they pressed to it, but nothing presses them: it falls,
+/// slanted as they may be, alone or with others on it. A plank that leans on a wall presses it by its own weight.
+TEST(LoadPaths, NothingHangsBetweenWallsByFrictionAlone) {
+    for (const Profile profile : kProfiles) {
+        for (const double slant : {0.0, 0.1, 0.5}) {
+            for (const int crates : {1, 3}) {
+                SCOPED_TRACE(testing::Message() << "slant " << slant << ", crates " << crates);
+                Pile pile(profile);
+                const DVec2 up{std::sin(slant), std::cos(slant)};
+                const DVec2 right{up.y, -up.x};
+                for (const double side : {-1.0, 1.0}) {
+                    BodyDef wall;
+                    wall.position = DVec2{0, 40} + side * right;
+                    wall.angle = -slant;
+                    (void)addBody(pile.world, wall, box(0.5, 20), material(0.3));
+                }
+                for (int i = 0; i < crates; ++i) {
+                    pile.add(DVec2{0, 40} + static_cast<double>(i) * up, box(0.5, 0.5), 0.3);
+                    ASSERT_TRUE(pile.world.setPose(pile.bodies.back(), pile.places.back(), -slant).ok());
+                }
+                run(pile.world, 60);
+                const double slope = kGravity * (up.y - 0.3 * up.x);
+                for (std::size_t i = 0; i < pile.bodies.size(); ++i) {
+                    const double fell = dot(pile.places[i] - pile.world.position(pile.bodies[i]), up);
+                    EXPECT_NEAR(fell, 0.5 * slope, 0.05 * slope);
+                }
+            }
+        }
+    }
+}
+
+TEST(LoadPaths, PlanksThatLeanOnAWallStand) {
+    for (const Profile profile : kProfiles) {
+        for (const double lean : {0.1, 0.3, 0.5}) {
+            Pile pile(profile);
+            addStatic(pile.world, box(0.5, 5), material(0.6), {-0.5, 5});
+            const double across = 0.05;
+            const double along = 1;
+            pile.add(
+                {across * std::cos(lean) + along * std::sin(lean), along * std::cos(lean) + across * std::sin(lean)},
+                box(across, along));
+            ASSERT_TRUE(pile.world.setPose(pile.bodies.back(), pile.places.back(), lean).ok());
+            run(pile.world, 1);
+            EXPECT_TRUE(pile.isHeld()) << "lean " << lean;
         }
     }
 }
