@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "../closeness.h"
 #include "direct_parts.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -25,6 +26,20 @@ int spareRoundsFor(std::size_t bodies) {
 /// known limit of friction (`gatherOf`), and few rows that changed ask for no new factor (`mayUseFactor`). Fewer bodies
 /// find their way at once.
 constexpr std::size_t kFewestOfWide = 129;
+
+/// Gaps beyond this part of the distance to the centre of mass of the nearer body that can be moved, across which what
+/// pressed before does not press before they are closed: the same, of many bodies, where so wide ones are left.
+constexpr Real kGapRatio = Real(1) / (1 << 15);
+constexpr Real kGapRatioOfPatient = Real(1) / (1 << 13);
+
+/// Whether a point gapes more than rounding and what is left of closed gaps explain.
+bool isOpen(const SolverBatch& batch, const ContactConstraint& contact, const ContactConstraintPoint& point,
+            Real separation, Real ratio) {
+    const bool movesA = isMovable(batch.inertias[contact.slotA]);
+    const bool movesB = isMovable(batch.inertias[contact.slotB]);
+    const Real lever = leverAt(point, movesA, movesB);
+    return separation > std::max(ratio * lever, separationRounding(point.anchorA, point.anchorB));
+}
 
 /// What comes nearer by more than this part of what it did, after some of them, is not stopped by more.
 constexpr double kLeftOfSqueezed = 1.0 / 8;
@@ -158,13 +173,17 @@ void DirectContacts::gatherOf(const Part& part, const SolverBatch& batch, Real h
     // stays as it is guessed, so it was held in the first half of each sub-step and free in the second, and each of
     // them had a factor of its own.
     const bool isKnown = part.isWide && std::any_of(points.begin(), points.end(), pressed);
+    const Real gapRatio = isPatient_ ? kGapRatioOfPatient : kGapRatio;
     for (Point& contact : points) {
         const ContactConstraint& constraint = *contact.contact;
         const ContactConstraintPoint& point = *contact.point;
         const BodyState& a = batch.states[constraint.slotA];
         const BodyState& b = batch.states[constraint.slotB];
-        const Real expected = useBias ? point.normalImpulse : contact.first;
+        Real expected = useBias ? point.normalImpulse : contact.first;
         const Real separation = useBias ? currentSeparation(constraint, point, a, b) : Real(0);
+        // More points may press than bodies have ways to move, where others hold them apart. To go on pressing across
+        // such a gap, and to close it against those, moved heaps of planks by 0.2 mm a second, for minutes.
+        if (expected > 0 && separation > 0 && isOpen(batch, constraint, point, separation, gapRatio)) { expected = 0; }
         const Real bias = !(expected > 0) && separation > 0 ? separation / h : Real(0);
         const Real closing = -dot(velocityAt(b, point.anchorB) - velocityAt(a, point.anchorA), constraint.normal);
         // What bounces must arrive in the next sub-step with its speed.

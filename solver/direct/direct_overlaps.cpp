@@ -23,10 +23,7 @@ constexpr Real kSmallRatioOfPatient = Real(1) / (1 << 14);
 
 /// How far apart a point may stay, metres.
 Real toleranceAt(const ContactConstraintPoint& point, bool movesA, bool movesB, Real ratio) {
-    const Real a = length(point.anchorA);
-    const Real b = length(point.anchorB);
-    const Real lever = movesA && movesB ? std::min(a, b) : (movesA ? a : b);
-    return std::max(ratio * lever, separationRounding(point.anchorA, point.anchorB));
+    return std::max(ratio * leverAt(point, movesA, movesB), separationRounding(point.anchorA, point.anchorB));
 }
 
 bool isStuck(const ContactConstraint& contact, const ContactConstraintPoint& point) {

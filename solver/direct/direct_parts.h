@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -25,6 +26,14 @@ inline double answerOf(const BodyInertia& body, const Block3& moved) {
     const auto linear = static_cast<double>(body.inverseMass);
     const auto angular = static_cast<double>(body.inverseInertia);
     return linear * (moved[0] * moved[0] + moved[1] * moved[1]) + angular * moved[2] * moved[2];
+}
+
+/// From a point to the centre of mass of the nearer body that can be moved, metres: what errors there are compared
+/// with.
+inline Real leverAt(const ContactConstraintPoint& point, bool movesA, bool movesB) {
+    const Real a = length(point.anchorA);
+    const Real b = length(point.anchorB);
+    return movesA && movesB ? std::min(a, b) : (movesA ? a : b);
 }
 
 /// The rows of a contact point.
