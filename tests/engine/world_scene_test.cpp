@@ -160,6 +160,16 @@ TEST(WorldScene, HasAllThatARandomSceneHas) {
     }
 }
 
+/// Whether all dynamic bodies have what the reader asks of them, which the engine asks for later, or not at all.
+bool isWhole(const World& world) {
+    const std::vector<BodyId> bodies = bodiesOf(world);
+    return std::all_of(bodies.begin(), bodies.end(), [&](BodyId id) {
+        const BodyDef def = world.definition(id);
+        if (def.type != BodyType::dynamic) { return true; }
+        return world.mass(id) > 0 && (def.fixedRotation || world.inertia(id) > 0);
+    });
+}
+
 /// Whatever was called, in any order: what is left is a scene that the reader takes.
 TEST(WorldScene, OfAnyWorldIsRead) {
     int tried = 0;
@@ -167,7 +177,7 @@ TEST(WorldScene, OfAnyWorldIsRead) {
         Vandal vandal(seed, Sizes::usual);
         for (int act = 0; act < 300; ++act) {
             vandal.act();
-            if (act % 50 != 49 || vandal.world().isValid(vandal.world().bodyWithoutMass())) { continue; }
+            if (act % 50 != 49 || !isWhole(vandal.world())) { continue; }
             ++tried;
             const std::string text = sceneOf(vandal.world());
             const SceneResult read = readScene(text, "vandal", {});
