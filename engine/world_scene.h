@@ -11,7 +11,8 @@ namespace swept::inline SWEPT_PRECISION {
 class World;
 
 /// What a scene and its things are called. What has no name, or an empty one, goes by its place: `body0`, `joint0`, …
-/// Names of bodies must differ from each other, and so must those of joints.
+/// Of bodies, or joints, that are called alike the later ones get a number behind it ("crate 2"); what is not UTF-8
+/// becomes question marks.
 struct SceneNames {
     std::string scene{};
     std::function<std::string(BodyId)> ofBody{};
@@ -24,10 +25,13 @@ struct SceneNames {
 /// is locale-free, in the shortest decimal digits that give the same number again, and the same on every machine.
 ///
 /// A scene begins where the world is, not with its bits: it has no contacts yet, nothing is held in balance. It does
-/// not have what the format has no word for: forces for the next step, contact filters and user data; the slack of
-/// pulleys and what loads the springs of welds; the second damping ratio of a weld with two springs, and what a
-/// spring's length is beyond its limits. Left out are joints that hold nothing because neither body is dynamic, and
-/// gears on those; a motor joint without strength becomes a filter.
+/// not have what the format has no word for: forces for the next step, contact filters and user data; how far joints
+/// are from holding (they hold in the scene, at B's anchor; `jointError` tells); the slack of pulleys and what loads
+/// the springs of welds; the second damping ratio of a weld with two springs, and what a spring's length is beyond its
+/// limits. Left out are joints that hold nothing because neither body is dynamic, and gears on those; a motor joint
+/// without strength becomes a filter. A dynamic body without mass has a milligram, one without inertia does not turn,
+/// and numbers end at 3e38, as those of scenes do. Takes about a microsecond for each number: for a report, not for
+/// every frame.
 std::string sceneOf(const World& world, const SceneNames& names = {});
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -18,19 +20,25 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// The shortest digits that give the same number again, whatever the locale; up to a million without an exponent.
-/// @pre finite
+/// No number of a scene may be larger (samples/scene_reader.h).
+inline constexpr double kLargestInScene = 3e38;
+
+/// The shortest digits that give the same number again, whatever the locale; up to a million without an exponent. What
+/// is larger than a scene may have becomes the largest that it may have. @pre no NaN
 template <class Number>
 requires std::is_floating_point_v<Number>
 void appendJson(std::string& text, Number number) {
     constexpr std::size_t kLongest = 64;  // 17 digits, sign, exponent and what a locale has between digits
-    constexpr Number kMostPlain = 1'000'000;
+    constexpr double kMostPlain = 1e6;
     char digits[kLongest];
-    const bool isPlain = number > -kMostPlain && number < kMostPlain;
-    for (int count = 1; count <= std::numeric_limits<Number>::max_digits10; ++count) {
-        (void)std::snprintf(digits, kLongest, "%.*g", count, static_cast<double>(number));
+    const double value = std::clamp(static_cast<double>(number), -kLargestInScene, kLargestInScene);
+    const bool isPlain = std::fabs(value) < kMostPlain;
+    // What has fewer digits than any decimal that a number holds is found by the first: its zeros are left out.
+    for (int count = std::numeric_limits<Number>::digits10; count <= std::numeric_limits<Number>::max_digits10;
+         ++count) {
+        (void)std::snprintf(digits, kLongest, "%.*g", count, value);
         const bool isShort = !isPlain || std::strstr(digits, "e+") == nullptr;
-        if (isShort && static_cast<Number>(std::strtod(digits, nullptr)) == number) { break; }
+        if (isShort && static_cast<Number>(std::strtod(digits, nullptr)) == static_cast<Number>(value)) { break; }
     }
     bool hasPoint = false;
     for (const char* c = digits; *c != '\0'; ++c) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "../solve/joint_place.h"
@@ -19,6 +18,9 @@ static_assert(kTypeNames.size() == std::variant_size_v<JointParts>);
 
 using MotorPart = JointPart<MotorJointDef, MotorConstraint>;
 using GearPart = JointPart<GearJointDef, GearConstraint>;
+
+/// In place of 0, which the reader refuses: too little to be seen.
+constexpr Real kLeastLength = Real(1e-30);
 
 bool hasStrength(const MotorDrive& drive) { return drive.maxForce || drive.maxTorque; }
 
@@ -50,13 +52,17 @@ std::optional<Spring> withMass(const std::optional<Spring>& spring, Real before,
     return Spring{spring->hertz * faster, spring->dampingRatio / faster};
 }
 
-/// One that is as far as numbers go is none in a scene.
+/// One that is beyond all numbers of a scene is none there.
+bool isFar(Real number) { return !(std::fabs(static_cast<double>(number)) < kLargestInScene / 2); }
+
 template <class Limits>
 void addLimits(JsonObject& out, const std::optional<Limits>& limits, double now) {
-    constexpr Real kFar = std::numeric_limits<Real>::max() / 2;
     if (!limits) { return; }
-    if (limits->lower > -kFar) { out.add("lower", lessBy(limits->lower, now)); }
-    if (limits->upper < kFar) { out.add("upper", lessBy(limits->upper, now)); }
+    if (!isFar(limits->lower)) { out.add("lower", lessBy(limits->lower, now)); }
+    if (!isFar(limits->upper)) { out.add("upper", lessBy(limits->upper, now)); }
+}
+void addBreakLimit(JsonObject& out, const char* key, const std::optional<Real>& limit) {
+    if (limit && !isFar(*limit)) { out.add(key, *limit); }
 }
 
 void addMotor(JsonObject& out, const std::optional<AngularMotor>& motor) {
@@ -93,11 +99,11 @@ struct JointMembers {
         const DistanceJointDef& def = part.def;
         out.add("anchorA", anchorAOf(world, joint));
         out.add("anchorB", anchorBOf(world, joint));
-        if (def.spring || !def.limits) { out.add("length", lengthWithin(def.limits)); }
-        if (def.limits) {
-            out.addUnless("minLength", def.limits->min, Real(0));
-            if (def.limits->max < std::numeric_limits<Real>::infinity()) { out.add("maxLength", def.limits->max); }
-        }
+        const bool isBounded = def.limits && !isFar(def.limits->max);
+        const bool isOne = anchorAOf(world, joint) == anchorBOf(world, joint);  // the reader wants some length then
+        if (def.spring || !def.limits || (isOne && !isBounded)) { out.add("length", lengthWithin(def.limits)); }
+        if (def.limits) { out.addUnless("minLength", def.limits->min, Real(0)); }
+        if (isBounded) { out.add("maxLength", std::max(def.limits->max, kLeastLength)); }
         addSpring(out,
                   withMass(def.spring, rodMassOf(world, joint), rodMassOf(world, madeNow(directionOf(world, joint)))));
     }
@@ -135,8 +141,8 @@ struct JointMembers {
         addGiven(out, "maxForce", part.def.maxForce);
     }
     void operator()(const GearPart& part) const {
-        out.add("jointA", places.nameOf(part.def.jointA));
-        out.add("jointB", places.nameOf(part.def.jointB));
+        out.add("jointA", places.jointWords.at(places.joints[part.def.jointA.index]));
+        out.add("jointB", places.jointWords.at(places.joints[part.def.jointB.index]));
         out.add("ratio", part.def.ratio);
     }
     void operator()(const JointPart<PulleyJointDef, PulleyConstraint>& part) const {
@@ -171,7 +177,8 @@ private:
         addGuide(def, static_cast<double>(translationOf(world, joint)));
     }
     Real lengthWithin(const std::optional<LengthLimits>& limits) const {
-        return limits ? std::clamp(joint.length, limits->min, limits->max) : joint.length;
+        const Real within = limits ? std::clamp(joint.length, limits->min, limits->max) : joint.length;
+        return std::max(within, kLeastLength);
     }
 };
 
@@ -179,8 +186,9 @@ private:
 
 bool isInScene(const WorldState& world, const Joint& joint) {
     if (const auto* const gear = std::get_if<GearPart>(&joint.parts)) {
-        return isInScene(world, world.joints[gear->def.jointA.index]) &&
-               isInScene(world, world.joints[gear->def.jointB.index]);
+        const bool areBoth = isInScene(world, world.joints[gear->def.jointA.index]) &&
+                             isInScene(world, world.joints[gear->def.jointB.index]);
+        if (!areBoth) { return false; }
     }
     if (typeInScene(joint) == JointType::filter && !joint.keepsApart()) { return false; }
     const bool isDynamicB = world.bodies[joint.bodyB].isDynamic();
@@ -191,14 +199,15 @@ void appendJoint(std::string& text, const WorldState& world, JointId id, const S
     const Joint& joint = world.joints[id.index];
     const JointType type = typeInScene(joint);
     JsonObject out(text);
-    if (const std::string name = places.givenName(id); !name.empty()) { out.add("name", name); }
+    const std::string& name = places.jointWords.given(places.joints[id.index]);
+    if (!name.empty()) { out.add("name", name); }
     out.add("type", kTypeNames[static_cast<std::size_t>(type)]);
-    out.add("bodyA", places.nameOf(world.bodies.idOf(joint.bodyA)));
-    out.add("bodyB", places.nameOf(world.bodies.idOf(joint.bodyB)));
+    out.add("bodyA", places.bodyWords.at(places.bodies[joint.bodyA]));
+    out.add("bodyB", places.bodyWords.at(places.bodies[joint.bodyB]));
     if (type != JointType::filter) {
         out.addUnless("collideConnected", joint.base.collideConnected, false);
-        addGiven(out, "breakForce", joint.base.breakForce);
-        addGiven(out, "breakTorque", joint.base.breakTorque);
+        addBreakLimit(out, "breakForce", joint.base.breakForce);
+        addBreakLimit(out, "breakTorque", joint.base.breakTorque);
         std::visit(JointMembers{world, joint, places, out}, joint.parts);
     }
     out.close();

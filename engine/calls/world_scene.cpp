@@ -1,7 +1,10 @@
 #include "../world_scene.h"
 
 #include <array>
+#include <cstdint>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "../state/world_state.h"
@@ -18,6 +21,9 @@ constexpr std::array kContinuousModes{"off", "speedLimit", "speculative", "stop"
 constexpr std::array kProfiles{"accurate", "fast"};
 constexpr std::array kMixingRules{"usual", "geometricMean", "average", "minimum", "product", "maximum"};
 constexpr std::array kBroadphases{"automatic", "allPairs", "sortAndSweep", "quadtree", "grid", "bvh", "wideBvh"};
+
+/// kg: of what is dynamic, and has none, as the engine lets it be until it is stepped. The reader wants some.
+constexpr Real kLeastMass = Real(1e-6);
 
 template <class Names, class Enumeration>
 const char* wordFor(const Names& names, Enumeration value) {
@@ -119,28 +125,38 @@ void appendShape(std::string& text, const WorldState& world, const Shape& shape)
     out.close();
 }
 
+/// What replaces the mass of the shapes. (Of others than dynamic bodies it counts for nothing, and the reader refuses
+/// it.)
+void addMass(JsonObject& out, const Body& body) {
+    if (body.def.mass > 0) {
+        out.add("mass", body.def.mass);
+    } else if (!(body.mass > 0)) {
+        out.add("mass", kLeastMass);
+    }
+    if (body.def.inertia > 0) { out.add("inertia", body.def.inertia); }
+}
+
 void appendBody(std::string& text, const World& world, const WorldState& state, BodyId id, const ScenePlaces& places) {
     const BodyDef def = world.definition(id);
     const BodyDef usual{};
     JsonObject out(text);
-    if (const std::string name = places.givenName(id); !name.empty()) { out.add("name", name); }
+    const std::string& name = places.bodyWords.given(places.bodies[id.index]);
+    if (!name.empty()) { out.add("name", name); }
     out.add("type", wordFor(kBodyTypes, def.type));
     out.add("position", def.position);
     out.addUnless("angle", def.angle, usual.angle);
     out.addUnless("velocity", def.velocity, usual.velocity);
     out.addUnless("angularVelocity", def.angularVelocity, usual.angularVelocity);
     out.addUnless("bullet", def.bullet, false);
-    out.addUnless("fixedRotation", def.fixedRotation, false);
+    const bool mayTurn = def.type != BodyType::dynamic || state.bodies[id.index].inverseInertia > 0;
+    out.addUnless("fixedRotation", def.fixedRotation || !mayTurn, false);
     out.addUnless("linearDamping", def.linearDamping, usual.linearDamping);
     out.addUnless("angularDamping", def.angularDamping, usual.angularDamping);
     out.addUnless("gravityScale", def.gravityScale, usual.gravityScale);
     if (def.type == BodyType::dynamic && def.enabled) { out.addUnless("awake", def.awake, true); }
     out.addUnless("enabled", def.enabled, true);
     if (def.continuous) { out.add("continuous", wordFor(kContinuousModes, *def.continuous)); }
-    if (def.type == BodyType::dynamic) {  // others may have been, and be so again: the format has no word for that
-        if (def.mass > 0) { out.add("mass", def.mass); }
-        if (def.inertia > 0) { out.add("inertia", def.inertia); }
-    }
+    if (def.type == BodyType::dynamic) { addMass(out, state.bodies[id.index]); }
     std::string& shapes = out.begin("shapes");
     const char* before = "[";
     world.visitShapes(id, [&](ShapeId shape) {
@@ -169,20 +185,27 @@ void appendList(std::string& text, const std::vector<Id>& ids, const Append& app
 
 std::string sceneOf(const World& world, const SceneNames& names) {
     const WorldState& state = *world.state_;
-    ScenePlaces places{.names = names};
-    places.bodies.resize(state.bodies.slotCount());
-    places.joints.resize(state.joints.slotCount());
     std::vector<BodyId> bodies;
     std::vector<JointId> joints;
+    std::vector<std::uint32_t> placesOfBodies(state.bodies.slotCount());
+    std::vector<std::uint32_t> placesOfJoints(state.joints.slotCount());
+    std::vector<std::string> bodyNames;
+    std::vector<std::string> jointNames;
     world.visitBodies([&](BodyId id) {
-        places.bodies[id.index] = static_cast<std::uint32_t>(bodies.size());
+        placesOfBodies[id.index] = static_cast<std::uint32_t>(bodies.size());
         bodies.push_back(id);
+        bodyNames.push_back(names.ofBody ? names.ofBody(id) : std::string());
     });
     world.visitJoints([&](JointId id) {
         if (!isInScene(state, state.joints[id.index])) { return; }
-        places.joints[id.index] = static_cast<std::uint32_t>(joints.size());
+        placesOfJoints[id.index] = static_cast<std::uint32_t>(joints.size());
         joints.push_back(id);
+        jointNames.push_back(names.ofJoint ? names.ofJoint(id) : std::string());
     });
+    const ScenePlaces places{.bodies = std::move(placesOfBodies),
+                             .joints = std::move(placesOfJoints),
+                             .bodyWords = {"body", std::move(bodyNames)},
+                             .jointWords = {"joint", std::move(jointNames)}};
     std::string text;
     JsonObject scene(text);
     if (!names.scene.empty()) { scene.add("name", names.scene); }

@@ -1,6 +1,7 @@
 #include "load_paths.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -175,6 +176,14 @@ bool balanceBody(const LoadSearch& search, std::uint32_t slot, std::span<LoadPoi
     return true;
 }
 
+/// Where numbers end that come nearer to it by the same part from one to the next (Aitken 1926): what is in a steep
+/// wedge is pushed to and fro by its walls, and each round leaves all but a thousandth of the load.
+double limitOf(const std::array<double, 3>& numbers) {
+    const double before = numbers[0] - numbers[1];
+    const double after = numbers[1] - numbers[2];
+    return after > 0 && before > after ? numbers[2] - after * after / (before - after) : numbers[2];
+}
+
 /// Walls on both sides could hold anything, if only they pressed hard enough: that a box which just fits between them
 /// stays is a solution, too, but nothing makes them press. So each point in turn pushes as far as the load drives the
 /// body into it, and rubs as far as it pushes, from what it did before on. If that leaves nothing of the load, the
@@ -195,6 +204,11 @@ bool doesLoadPress(const LoadSearch& search, std::uint32_t slot, std::span<const
         addTo(left, (to - impulse) * way, arm);
         impulse = to;
     };
+    const auto leftOver = [&left, &body] {
+        const double twist = body.inverseInertia > 0 ? std::fabs(left.twist) / static_cast<double>(body.radius) : 0;
+        return std::max(length(left.force), twist);
+    };
+    std::array<double, 3> later{};  // what is left when so much of the rounds is over: a half, three quarters, all
     for (int round = 0; round < kPressRounds; ++round) {
         for (LoadPoint& point : tried) {
             const DVec2 arm = point.armOfCarried;
@@ -202,9 +216,11 @@ bool doesLoadPress(const LoadSearch& search, std::uint32_t slot, std::span<const
             const double rub = point.friction * point.push;
             change(point.drag, std::clamp(point.drag + stopping(point.tangent, arm), -rub, rub), point.tangent, arm);
         }
+        if (round + 1 == kPressRounds / 2) { later[0] = leftOver(); }
+        if (round + 1 == kPressRounds / 4 * 3) { later[1] = leftOver(); }
     }
-    const double twist = body.inverseInertia > 0 ? std::fabs(left.twist) / static_cast<double>(body.radius) : 0;
-    return std::max(length(left.force), twist) <= most;
+    later[2] = leftOver();
+    return later[2] <= most || limitOf(later) <= most;
 }
 
 /// @return whether it could be held

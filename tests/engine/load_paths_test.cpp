@@ -208,6 +208,32 @@ TEST(LoadPaths, NothingHangsBetweenWallsByFrictionAlone) {
     }
 }
 
+/// Steep wedges press with many times the load, which goes to and fro between their walls.
+TEST(LoadPaths, WedgesHoldWhatIsInThem) {
+    for (const Profile profile : kProfiles) {
+        for (const double degrees : {1.0, 2.0, 3.0, 5.0, 20.0}) {
+            for (const double friction : {0.0, 0.02, 0.3}) {
+                SCOPED_TRACE(testing::Message() << degrees << " degrees, friction " << friction);
+                Pile pile(profile);
+                const double half = degrees * kPi / 180;
+                const double radius = 0.5;
+                const double high = radius / std::sin(half);  // of the centre above the edge in which the walls meet
+                for (const double side : {-1.0, 1.0}) {
+                    const DVec2 along{side * std::sin(half), std::cos(half)};
+                    const DVec2 outward{side * along.y, -side * along.x};
+                    BodyDef wall;
+                    wall.position = (high * std::cos(half)) * along + outward;
+                    wall.angle = -side * half;
+                    (void)addBody(pile.world, wall, box(1, 4), material(friction));
+                }
+                pile.add({0, high}, circle(radius), friction);
+                run(pile.world, 60);
+                EXPECT_LT(length(pile.world.position(pile.bodies[0]) - pile.places[0]), 1e-5);
+            }
+        }
+    }
+}
+
 TEST(LoadPaths, PlanksThatLeanOnAWallStand) {
     for (const Profile profile : kProfiles) {
         for (const double lean : {0.1, 0.3, 0.5}) {

@@ -301,6 +301,7 @@ std::string endText(const Runner& runner, const LoadedScene& loaded, const Camer
     SceneResult end = readScene(text, loaded.source);
     if (!end.scene) { return text; }  // a world may be where the format has no numbers
     end.scene->view = loaded.scene.view;
+    end.scene->settings.dt = loaded.scene.settings.dt;  // a world that took no step knows of none
     return sceneText(std::move(*end.scene), camera);
 }
 
