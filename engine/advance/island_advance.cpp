@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "../flight/bullets_ahead.h"
 #include "../flight/chain_crossing.h"
 #include "../flight/clamp.h"
 #include "../flight/ground_on_the_way.h"
@@ -14,6 +15,7 @@
 #include "../state/profile.h"
 #include "cut_motion.h"
 #include "island_contacts.h"
+#include "member_meetings.h"
 #include "part_sub_steps.h"
 #include "yield_to_ground.h"
 
@@ -324,6 +326,7 @@ double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, 
         if (scratch.isSunk) { world.bodies[slot].sunk = true; }
         if (impact.hit) { first = impact.fraction; }
     }
+    if (hasJointedBullet(world, members)) { first = firstMeetingOf(world, members, part, first, scratch); }
     return first;
 }
 

@@ -12,6 +12,8 @@
 #include "../contacts/may_touch.h"
 #include "../contacts/new_pairs.h"
 #include "../contacts/slides.h"
+#include "../containers/boxed_items.h"
+#include "../flight/bullets_ahead.h"
 #include "../flight/ground_on_the_way.h"
 #include "../state/tolerances.h"
 
@@ -50,6 +52,42 @@ void findGround(WorldState& world, AdvancingIsland& island, const Shape& own, st
         if (ground != nullptr) { ground->meet(other.body); }
         island.heldPairs.insert(place, key);
         island.held.push_back(contactOf(world, slot, found));
+        island.sources.push_back(kNoIndex);
+    }
+}
+
+/// What a member comes up to counts as met from half of that on, and so does what comes up to it.
+Real nearOf(const Shape& shape) { return kEndRatio * shape.extent; }
+
+void listBoxed(WorldState& world, AdvancingIsland& island) {
+    island.boxed.clear();
+    for (const std::uint32_t member : island.members) {
+        const bool asks = isJointedBullet(world, member);
+        for (const std::uint32_t slot : world.bodies[member].shapes) {
+            const Shape& shape = world.shapes[slot];
+            const Aabb box = grown(boundsOf(shape.polygon, world.motions[member].pose), nearOf(shape) / 2);
+            if (!shape.def.sensor && overlaps(box, box)) { island.boxed.push_back({box, slot, asks}); }
+        }
+    }
+}
+
+/// Members that bullets which joints hold have come up to, and that no contact knows yet: what sweeps met is as near as
+/// that. What is farther away may yet pass by.
+void findMembersMet(WorldState& world, AdvancingIsland& island) {
+    listBoxed(world, island);
+    island.metPairs.clear();
+    forEachOverlap(island.boxed, [&](std::uint32_t own, std::uint32_t met) {
+        const Shape& shape = world.shapes[own];
+        const Shape& other = world.shapes[met];
+        if (shape.body == other.body || !mayTouch(world, shape, other)) { return; }
+        const std::uint64_t key = PairTable::keyOf(own, met);
+        if (!std::binary_search(island.heldPairs.begin(), island.heldPairs.end(), key)) {
+            island.metPairs.push_back(key);
+        }
+    });
+    std::sort(island.metPairs.begin(), island.metPairs.end());
+    for (const std::uint64_t key : island.metPairs) {
+        island.held.push_back(contactOf(world, static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)));
         island.sources.push_back(kNoIndex);
     }
 }
@@ -97,6 +135,7 @@ void collideHeld(WorldState& world, IslandDesk& desk, double time, GroundOnTheWa
             if (!own.def.sensor) { findGround(world, island, own, slot, length, ground); }
         }
     }
+    if (hasJointedBullet(world, island.members)) { findMembersMet(world, island); }
     rememberPoints(island);
     island.heldSlides.resize(island.held.size());
     ContactBatches batches(world, [](ContactProbe*, const Contact&, const Transform&) {});

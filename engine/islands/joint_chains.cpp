@@ -102,6 +102,12 @@ void listMembers(WorldState& world) {
     }
 }
 
+void listBullets(WorldState& world) {
+    for (const JointChains::Member& member : world.jointChains.members) {
+        if (world.bodies[member.body].def.bullet) { world.jointChains.bullets.push_back(member.body); }
+    }
+}
+
 bool tiesSameBodies(const JointTie& a, const JointTie& b) {
     return (a.bodyA == b.bodyA && a.bodyB == b.bodyB) || (a.bodyA == b.bodyB && a.bodyB == b.bodyA);
 }
@@ -157,6 +163,7 @@ void findJointChains(WorldState& world) {
     std::swap(chains.list, chains.before);
     chains.list.clear();
     chains.members.clear();
+    chains.bullets.clear();
     chains.areCurrent = true;
     chains.tieSleepers = false;
     chains.isAnyLoose = false;
@@ -171,6 +178,7 @@ void findJointChains(WorldState& world) {
     }
     tieBodies(world);
     listMembers(world);
+    if (world.bulletBodies > 0) { listBullets(world); }
     sumUpJoints(world);
     if (chains.mayAnyLend) { keepLent(world); }
     chains.before.clear();

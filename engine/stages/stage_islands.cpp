@@ -6,6 +6,7 @@
 #include "../contacts/candidates.h"
 #include "../containers/any_of.h"
 #include "../flight/bullet_start.h"
+#include "../flight/bullets_ahead.h"
 #include "../flight/clash.h"
 #include "../flight/ground_on_the_way.h"
 #include "../islands/effort_trial.h"
@@ -84,15 +85,21 @@ void listBodies(WorldState& world) {
     });
 }
 
+/// Such a bullet may meet all other members of its island (member_meetings.h).
+bool isOfJointedBullet(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
+    if (world.jointChains.bullets.empty()) { return false; }
+    return isJointedBullet(world, bodyA) || isJointedBullet(world, bodyB);
+}
+
 /// What bounces off another one in flight, or is a bullet that rides on it, may meet any other member of its island
 /// then, in whatever direction that was.
 void promoteClashing(WorldState& world) {
     if (world.bouncyShapes == 0 && world.bullets == 0) { return; }
     const FastIslands& fast = world.fastIslands;
-    promoteCandidatesOf(world, [&fast](const ContactPair& pair) {
+    promoteCandidatesOf(world, [&](const ContactPair& pair) {
         const std::uint32_t number = fast.numbers[pair.bodyA];
         return number != kNoIndex && number == fast.numbers[pair.bodyB] &&
-               fast.bodies.of(number).size() <= kMostClashing;
+               (fast.bodies.of(number).size() <= kMostClashing || isOfJointedBullet(world, pair.bodyA, pair.bodyB));
     });
 }
 
@@ -202,6 +209,12 @@ bool isInside(const WorldState& world, const Contact& contact) {
     return !a.isDynamic() || !b.isDynamic() || contact.isSolid();
 }
 
+/// What does not touch yet, and comes to do so where the bullet meets it.
+bool mayMeet(const WorldState& world, const Contact& contact) {
+    const std::vector<std::uint32_t>& numbers = world.fastIslands.numbers;
+    return numbers[contact.bodyA] == numbers[contact.bodyB] && isOfJointedBullet(world, contact.bodyA, contact.bodyB);
+}
+
 void gather(WorldState& world, AdvancingIsland& fast, std::size_t island) {
     const FastIslands& islands = world.fastIslands;
     const std::span<const std::uint32_t> bodies = islands.bodies.of(island);
@@ -212,9 +225,11 @@ void gather(WorldState& world, AdvancingIsland& fast, std::size_t island) {
     fast.sources.clear();
     fast.sourceProbes.clear();
     fast.pointsBefore.clear();
+    const bool mayMembersMeet = hasJointedBullet(world, bodies);
     for (const std::uint32_t index : islands.contacts.of(island)) {
         const std::uint32_t source = world.probes[index].contact;
-        if (!isInside(world, world.contacts[source])) { continue; }
+        const Contact& contact = world.contacts[source];
+        if (!isInside(world, contact) && !(mayMembersMeet && mayMeet(world, contact))) { continue; }
         fast.held.push_back(world.contacts[source]);
         fast.sources.push_back(source);
         fast.sourceProbes.push_back(index);

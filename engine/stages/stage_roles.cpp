@@ -6,6 +6,7 @@
 
 #include "../bodies/awake.h"
 #include "../contacts/noticing.h"
+#include "../flight/bullets_ahead.h"
 #include "../islands/joint_chains.h"
 #include "../islands/note_touching.h"
 #include "../islands/reset_bodies.h"
@@ -47,6 +48,19 @@ void startleNearKinematicBodies(WorldState& world, Real dt) {
         if (probe.isPlain || !(mayStartle(probe.bodyA) || mayStartle(probe.bodyB))) { continue; }
         startle(world, world.contacts[probe.contact], dt);
     }
+}
+
+/// What bullets that joints hold may meet in this step is awake.
+void wakeAheadOfBullets(WorldState& world, Real dt) {
+    if (!world.jointChains.areCurrent) { findJointChains(world); }
+    world.bulletWork.ahead.clear();
+    if (world.jointChains.bullets.empty()) { return; }
+    const std::size_t before = world.awake.size();
+    findAhead(world, dt);
+    if (!world.parked.woken.empty()) { listUnparked(world); }
+    wakeOnward(world, before);
+    if (!world.parked.woken.empty()) { listUnparked(world); }
+    resetBodies(world, std::span(world.awake).subspan(before), dt);
 }
 
 bool isFlyer(const WorldState& world, const Body& body) {
@@ -124,8 +138,11 @@ void assignRoles(WorldState& world, Real dt) {
         if (!world.parked.woken.empty()) { listUnparked(world); }
         resetBodies(world, std::span(world.awake).subspan(startled), dt);
     }
+    const bool mayBulletsBeJointed = world.bulletBodies > 0 && world.joints.size() > 0;
+    if (mayBulletsBeJointed) { wakeAheadOfBullets(world, dt); }
     world.islands.reset(world.bodies.slotCount(), world.awake);
     noteTouching(world, dt);
+    if (mayBulletsBeJointed) { tieAhead(world); }
     giveRoles(world);
     listRoles(world);
     world.counters.solvedBodies = world.tied.size();

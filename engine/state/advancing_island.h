@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../containers/boxed_items.h"
 #include "body.h"
 #include "chain_passer.h"
 #include "contact.h"
@@ -27,6 +28,8 @@ struct AdvancingIsland {
     std::vector<std::uint32_t> sourceProbes;  ///< of those that have one, which come first: index of the probe
     std::vector<std::uint64_t> heldPairs;     ///< of shape slots, sorted
     std::vector<std::uint32_t> found;
+    std::vector<BoxedItem> boxed;            ///< shapes of members, by slot: scratch, as is the next one
+    std::vector<std::uint64_t> metPairs;     ///< of shape slots
     double usualSubStep = 0;                 ///< of the world, s
     double subStep = 0;                      ///< that the impulses of the held contacts belong to, s
     std::vector<BodyMotion> membersAtStart;  ///< of the step

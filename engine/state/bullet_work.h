@@ -51,6 +51,12 @@ struct BulletMeeting {
     }
 };
 
+/// A bullet that joints hold, and a dynamic body that it may meet in this step: slots.
+struct BulletAhead {
+    std::uint32_t bullet = 0;
+    std::uint32_t other = 0;
+};
+
 /// What one worker found. Nothing of it shares a cache line with another worker's.
 struct alignas(kCacheLine) BulletFinds {
     std::vector<BulletMeeting> meetings;
@@ -74,6 +80,8 @@ struct BulletWork {
     Real farthest = 0;           ///< how far any body gets at the speed that it has as the step begins, metres
     bool areSomeAtRest = false;  ///< bullets that look for nobody: they sleep, or hardly move
     double dt = 0;
+
+    std::vector<BulletAhead> ahead;  ///< what jointed bullets may meet (bullets_ahead.h)
 
     // Of this moment.
     std::vector<BulletMeeting> together;  ///< those that share bodies; or one, of something static or kinematic

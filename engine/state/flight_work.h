@@ -9,6 +9,7 @@
 #include "../../shapes/cache_line.h"
 #include "../../solver/impacts/impact.h"
 #include "../../toi/time_of_impact.h"
+#include "../containers/boxed_items.h"
 #include "../counters.h"
 #include "../events.h"
 #include "body.h"
@@ -72,6 +73,7 @@ struct alignas(kCacheLine) FlightScratch {
     std::vector<NearObstacle> nearest;
     std::vector<MetGround> met;  ///< since the flyer moved last
     std::vector<std::uint32_t> found;
+    std::vector<BoxedItem> movers;        ///< members of an island, by slot (member_meetings.h)
     std::vector<ChainPasser> fromBehind;  ///< that the last sweep does not stop at (chain_crossing.h)
     std::vector<ChainPasser> crossings;   ///< what shapes are in that came from behind
     std::vector<ChainPasser> stillCrossings;

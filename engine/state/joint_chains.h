@@ -55,17 +55,18 @@ struct JointChains {
         std::uint32_t body = 0;    ///< slots
         std::uint32_t lowest = 0;  ///< of its chain
     };
-    bool areCurrent = false;            ///< those of all joints of what is awake, as they are now
-    bool tieSleepers = false;           ///< a joint ties what is awake to what sleeps
-    bool isAnyLoose = false;            ///< some chain is passive, and not anchored
-    bool isAnyAdrift = false;           ///< `JointChain::isAdrift` of any
-    bool mayAnyLend = false;            ///< `JointChain::mayLend` of any
-    std::vector<JointChain> list;       ///< in order of their lowest bodies
-    std::vector<JointChain> before;     ///< scratch: those found the last time
-    std::vector<Member> members;        ///< ascending; each awake dynamic body that a joint holds
-    IslandFinder finder;                ///< of their bodies
-    std::vector<std::uint32_t> places;  ///< by slot of the lowest body: in `list`; others are those of before
-    ThinLoops thinLoops;                ///< scratch
+    bool areCurrent = false;             ///< those of all joints of what is awake, as they are now
+    bool tieSleepers = false;            ///< a joint ties what is awake to what sleeps
+    bool isAnyLoose = false;             ///< some chain is passive, and not anchored
+    bool isAnyAdrift = false;            ///< `JointChain::isAdrift` of any
+    bool mayAnyLend = false;             ///< `JointChain::mayLend` of any
+    std::vector<JointChain> list;        ///< in order of their lowest bodies
+    std::vector<JointChain> before;      ///< scratch: those found the last time
+    std::vector<Member> members;         ///< ascending; each awake dynamic body that a joint holds
+    std::vector<std::uint32_t> bullets;  ///< slots of those of them that are marked so
+    IslandFinder finder;                 ///< of their bodies
+    std::vector<std::uint32_t> places;   ///< by slot of the lowest body: in `list`; others are those of before
+    ThinLoops thinLoops;                 ///< scratch
 
     /// A body wakes, or falls asleep. @param holdingJoints  of the body
     void noteTurn(std::uint32_t holdingJoints) { areCurrent = areCurrent && holdingJoints == 0; }
