@@ -1,9 +1,12 @@
 #include "bullets_ahead.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 #include "../bodies/awake.h"
 #include "../contacts/may_touch.h"
+#include "../containers/boxed_items.h"
 #include "../state/tolerances.h"
 #include "bullet_start.h"
 #include "sweep_circles.h"
@@ -28,9 +31,9 @@ double lengthOf(const Sweep& path) { return length(path.c1 - path.c0); }
 
 bool isFast(const WorldState& world, std::uint32_t slot) { return (world.traits[slot] & kIsFast) != 0; }
 
-/// How far any point of what is awake and dynamic may get, and whether one of them is fast.
+/// Fast bodies that are awake and dynamic are looked for by their paths; all others move no farther than `drift`.
 struct Hurry {
-    Real farthest = 0;
+    Real drift = 0;
     bool isAnyFast = false;
 };
 
@@ -38,11 +41,16 @@ Hurry hurryOf(const WorldState& world) {
     Hurry hurry;
     for (const std::uint32_t slot : world.awake) {
         if ((world.traits[slot] & kIsDynamic) == 0) { continue; }
-        hurry.farthest = std::max(hurry.farthest, world.glances[slot].motion);
-        hurry.isAnyFast = hurry.isAnyFast || isFast(world, slot);
+        if (isFast(world, slot)) {
+            hurry.isAnyFast = true;
+        } else {
+            hurry.drift = std::max(hurry.drift, world.glances[slot].motion);
+        }
     }
     return hurry;
 }
+
+double strayOf(const Sweep& path) { return kStrayRatio * lengthOf(path); }
 
 bool mayTouchAny(const WorldState& world, const Body& body, const Shape& other) {
     return std::any_of(body.shapes.begin(), body.shapes.end(), [&](std::uint32_t own) {
@@ -50,35 +58,65 @@ bool mayTouchAny(const WorldState& world, const Body& body, const Shape& other) 
     });
 }
 
-/// Dynamic bodies whose shapes are near the path, and may touch the bullet: in order, each once.
-void findNear(WorldState& world, std::uint32_t bullet, const Aabb& box) {
+/// What rests or is slow, and whose shapes are near the path of a fast bullet that they may touch: each body once.
+void findSlowNear(WorldState& world, std::uint32_t bullet, const Aabb& box) {
     std::vector<std::uint32_t>& found = world.bulletWork.found;
     found.clear();
     const Body& body = world.bodies[bullet];
     world.broadphase->queryDynamic({&box, 1}, [&](std::size_t, ProxyId id) {
         const Shape& shape = world.shapes[world.proxyShapes[static_cast<std::uint32_t>(id)]];
         if (shape.body == bullet || shape.def.sensor || !world.bodies[shape.body].isDynamic()) { return; }
-        if (mayTouchAny(world, body, shape)) { found.push_back(shape.body); }
+        if (!isFast(world, shape.body) && mayTouchAny(world, body, shape)) { found.push_back(shape.body); }
     });
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-void findAheadOf(WorldState& world, std::uint32_t bullet, Real farthest, Real dt) {
-    const Body& body = world.bodies[bullet];
+void tryPair(WorldState& world, std::uint32_t bullet, std::uint32_t other, Real dt) {
     const Sweep path = straightPath(world, bullet, dt);
-    const double stray = kStrayRatio * lengthOf(path);
-    const Aabb box = boxOfPath(path, static_cast<double>(body.radius) + stray);
-    findNear(world, bullet, grown(box, (1 + static_cast<Real>(kStrayRatio)) * farthest));
-    for (const std::uint32_t other : world.bulletWork.found) {
-        // What is slow has contacts ahead of all that it does.
-        if (!isFast(world, bullet) && !isFast(world, other)) { continue; }
-        const Sweep otherPath = straightPath(world, other, dt);
-        const auto circles = static_cast<double>((1 + kMaxReachRatio) * (body.radius + world.bodies[other].radius));
-        if (stayBeyond(path, otherPath, circles + stray + kStrayRatio * lengthOf(otherPath))) { continue; }
-        wake(world, other);
-        world.bulletWork.ahead.push_back({bullet, other});
+    const Sweep otherPath = straightPath(world, other, dt);
+    const auto circles =
+        static_cast<double>((1 + kMaxReachRatio) * (world.bodies[bullet].radius + world.bodies[other].radius));
+    if (stayBeyond(path, otherPath, circles + strayOf(path) + strayOf(otherPath))) { return; }
+    wake(world, other);
+    world.bulletWork.ahead.push_back({bullet, other});
+}
+
+Aabb boxAhead(const WorldState& world, std::uint32_t slot, Real dt) {
+    const Sweep path = straightPath(world, slot, dt);
+    return boxOfPath(path, static_cast<double>((1 + kMaxReachRatio) * world.bodies[slot].radius) + strayOf(path));
+}
+
+bool mayBodiesTouch(const WorldState& world, std::uint32_t one, std::uint32_t other) {
+    const Body& body = world.bodies[other];
+    return std::any_of(body.shapes.begin(), body.shapes.end(), [&](std::uint32_t shape) {
+        return !world.shapes[shape].def.sensor && mayTouchAny(world, world.bodies[one], world.shapes[shape]);
+    });
+}
+
+/// What is slow has contacts ahead of all that it does with what is slow.
+void findSlow(WorldState& world, Real drift, Real dt) {
+    for (const std::uint32_t slot : world.jointChains.bullets) {
+        if (!isFast(world, slot) || !isJointedBullet(world, slot)) { continue; }
+        findSlowNear(world, slot, grown(boxAhead(world, slot, dt), (1 + static_cast<Real>(kStrayRatio)) * drift));
+        for (const std::uint32_t other : world.bulletWork.found) { tryPair(world, slot, other, dt); }
     }
+}
+
+void findFast(WorldState& world, Real dt) {
+    world.flightScratch.resize(std::max<std::size_t>(world.flightScratch.size(), 1));
+    std::vector<BoxedItem>& movers = world.flightScratch[0].movers;
+    movers.clear();
+    for (const std::uint32_t slot : world.awake) {
+        const bool asks = isJointedBullet(world, slot);
+        if ((world.traits[slot] & kIsDynamic) == 0 || !(asks || isFast(world, slot))) { continue; }
+        const Aabb box = boxAhead(world, slot, dt);
+        if (overlaps(box, box)) { movers.push_back({box, slot, asks}); }
+    }
+    forEachOverlap(movers, [&](std::uint32_t bullet, std::uint32_t other) {
+        if (!isFast(world, bullet) && !isFast(world, other)) { return; }
+        if (mayBodiesTouch(world, bullet, other)) { tryPair(world, bullet, other, dt); }
+    });
 }
 
 }  // namespace
@@ -96,9 +134,8 @@ void findAhead(WorldState& world, Real dt) {
     world.bulletWork.ahead.clear();
     const Hurry hurry = hurryOf(world);
     if (!hurry.isAnyFast) { return; }
-    for (const std::uint32_t slot : world.jointChains.bullets) {
-        if (isJointedBullet(world, slot)) { findAheadOf(world, slot, hurry.farthest, dt); }
-    }
+    findFast(world, dt);
+    findSlow(world, hurry.drift, dt);
 }
 
 void tieAhead(WorldState& world) {
