@@ -34,6 +34,7 @@ void countBody(WorldState& world, const Body& body, std::int32_t sign) {
     add(world.fixedBodies, body.def.type == BodyType::fixed || !isIn);
     add(world.kinematicBodies, isIn && body.def.type == BodyType::kinematic);
     add(world.bulletBodies, isIn && body.isDynamic() && body.def.bullet);
+    if (body.def.bullet && body.holdingJoints > 0) { world.jointChains.areCurrent = false; }  // they list those
     add(world.watchedBodies, isIn && isWatched(body.def.continuous.value_or(ContinuousMode::off)));
     add(world.masslessBodies, isIn && isMassless(body));
 }

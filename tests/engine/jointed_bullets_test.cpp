@@ -207,6 +207,24 @@ TEST(JointedBullets, WakeWhatTheyReach) {
     }
 }
 
+TEST(JointedBullets, MayBeMarkedLater) {
+    for (const Profile profile : kProfiles) {
+        World world = makeWorld(profile, 0);
+        Throw shot(world, Thrown::flail, Struck::wall, 100, {-8, 0.05});
+        const auto mark = [&](bool isBullet) {
+            for (const BodyId body : {shot.bodies[0], shot.bodies[1]}) {
+                BodyDef def = world.definition(body);
+                def.bullet = isBullet;
+                must(world.redefine(body, def));
+            }
+        };
+        mark(false);
+        run(world, 2);  // its joint is known as one of what is no bullet
+        mark(true);
+        EXPECT_EQ(watch(shot, 10).passed, 0) << profileName(profile);
+    }
+}
+
 /// A joint that only brakes: friction on a table that is seen from above.
 void brake(World& world, BodyId table, BodyId ball) {
     MotorJointDef def;
