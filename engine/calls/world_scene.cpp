@@ -146,9 +146,9 @@ void appendBody(std::string& text, const World& world, const WorldState& state, 
     out.add("position", def.position);
     out.addUnless("angle", def.angle, usual.angle);
     out.addUnless("velocity", def.velocity, usual.velocity);
-    out.addUnless("angularVelocity", def.angularVelocity, usual.angularVelocity);
-    out.addUnless("bullet", def.bullet, false);
     const bool mayTurn = def.type != BodyType::dynamic || state.bodies[id.index].inverseInertia > 0;
+    if (mayTurn) { out.addUnless("angularVelocity", def.angularVelocity, usual.angularVelocity); }
+    out.addUnless("bullet", def.bullet, false);
     out.addUnless("fixedRotation", def.fixedRotation || !mayTurn, false);
     out.addUnless("linearDamping", def.linearDamping, usual.linearDamping);
     out.addUnless("angularDamping", def.angularDamping, usual.angularDamping);
