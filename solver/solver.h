@@ -43,8 +43,7 @@ struct SolverSettings {
     /// Joints that are solved so close their errors within so long, s, at least: what shorter sub-steps leave of that
     /// speed would be energy. 0: within a sub-step.
     Real leastClosing = 0;
-    bool patient = false;    ///< of what is solved all at once: many bodies, more rounds
-    bool takenBack = false;  ///< likewise: the step will be, if it is searched in vain
+    bool patient = false;  ///< of what is solved all at once: many bodies, more rounds
     /// All is at rest, with the right impulses: contacts hold what they have, without springs, in one sub-step.
     /// @pre no joints, nothing is solved all at once; separations are found, 0 where a point presses
     bool settled = false;

@@ -110,7 +110,6 @@ SolverSettings settingsOf(const WorldState& world, const TiedGroup& group, const
             .direct = plan.scope,
             .leastClosing = leastClosingOf(world, group, plan.part),
             .patient = group.effort.isLarge,
-            .takenBack = true,
             .settled = group.effort.isSettled};
 }
 

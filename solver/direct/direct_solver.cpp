@@ -32,12 +32,11 @@ bool isAnyIterated(const SolverBatch& batch) {
 
 }  // namespace
 
-bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient, bool isTakenBack) {
+bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient) {
     if ((scope == DirectScope::freeJoints || scope == DirectScope::islands) && !batch.contacts.empty()) {
         return false;
     }
     scope_ = scope;
-    mayGiveUpForGood_ = isPatient || isTakenBack;
     hasGivenUp_ = false;
     joints_.begin();
     drives_.begin(takesTurns(scope, !batch.contacts.empty()));
@@ -86,7 +85,7 @@ bool DirectSolver::findImpulses(const SolverBatch& batch, DirectReport& report) 
 }
 
 bool DirectSolver::solve(SolverBatch& batch, Real h, bool useBias, DirectReport& report) {
-    if (hasGivenUp_ && mayGiveUpForGood_) { return false; }
+    if (hasGivenUp_) { return false; }
     system_.setStrength(1);
     joints_.gather(batch, system_, h, useBias);
     if (holdsDrives(scope_)) { drives_.gather(batch, system_, h, useBias); }

@@ -24,9 +24,8 @@ class DirectSolver {
 public:
     /// Once a step: bodies, islands, rows. @pre contacts stay where they are until the step ends
     /// @param isPatient  of many bodies: more rounds
-    /// @param isTakenBack  what was searched in vain once is not again: the step will be taken back
     /// @return false when there is nothing to do, or the system is too tangled to pay
-    bool prepare(SolverBatch& batch, DirectScope scope, bool isPatient = false, bool isTakenBack = false);
+    bool prepare(SolverBatch& batch, DirectScope scope, bool isPatient = false);
 
     /// Of sub-steps to come: errors of joints are closed within so long, s, or one of them, whichever is longer.
     void setLeastClosing(Real seconds) { joints_.setLeastClosing(seconds); }
@@ -75,9 +74,8 @@ private:
     bool findImpulses(const SolverBatch& batch, DirectReport& report);
 
     DirectScope scope_ = DirectScope::none;
-    bool mayGiveUpForGood_ = false;  ///< what was searched in vain is not searched again in this step
-    bool hasGivenUp_ = false;        ///< in this step
-    std::vector<BodyTie> ties_;      ///< by slot
+    bool hasGivenUp_ = false;    ///< in this step
+    std::vector<BodyTie> ties_;  ///< by slot
     DirectSystem system_;
     DirectJoints joints_;
     DirectDrives drives_;      ///< where `holdsDrives`
