@@ -3,9 +3,10 @@
 #   tools/test.sh [--sanitizers] [--long] [--werror]
 # --sanitizers adds the same tests by clang 14: those labelled quick with the address and undefined behaviour sanitizers,
 # those labelled parallel with thread sanitizer. `.ci/run` does so for every change.
-# --long adds all of that, the tests labelled long, the layers' suites in f64 to the sanitizers,
-# a minute of each fuzzer (tests/fuzz), the solver's suite built without optimisation (kernels for several instruction sets
-# once shared functions there, and crashed), and the same bits on other machines (tools/portability.sh).
+# --long adds all of that, the tests labelled long, all random cases of the others (else some try a third), the layers'
+# suites in f64 to the sanitizers, a minute of each fuzzer (tests/fuzz), the solver's suite built without optimisation (kernels
+# for several instruction sets once shared functions there, and crashed), and the same bits on other machines
+# (tools/portability.sh).
 # --werror (also: CI=true in the environment) makes warnings errors.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -18,10 +19,12 @@ for argument in "$@"; do
         --long) long=yes sanitizers=yes ;;
         --sanitizers) sanitizers=yes ;;
         --werror) werror=ON ;;
-        -h | --help) sed -n '2,9s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+        -h | --help) sed -n '2,10s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;;
         *) fail "unknown argument $argument (see --help)" ;;
     esac
 done
+
+if [ "$long" = no ]; then export SWEPT_FEW_CASES=1; fi
 
 "$root/tools/setup.sh"
 started=$SECONDS

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../support/random.h"
+#include "../support/some_of.h"
 #include "joint_support.h"
 
 /// Bodies that joints tie together, and that nothing else holds or touches: they turn on as a whole, whatever their
@@ -89,11 +90,11 @@ Drifter randomDrifter(const WorldSettings& settings, std::uint64_t seed) {
 /// 2 %, up to seven times their energy. What is left are a few that tremble so much that their energy is taken back
 /// from all of their motion.)
 TEST(Adrift, ChainsKeepTheirAngularMomentum) {
-    constexpr int kChains = 120;
+    constexpr std::uint64_t kChains = 120;
     for (const Profile profile : {Profile::fast, Profile::accurate}) {
         int off = 0;
         double most = 0;
-        for (std::uint64_t seed = 0; seed < kChains; ++seed) {
+        for (std::uint64_t seed = 0; seed < someOf(kChains); ++seed) {
             Drifter drifter = randomDrifter(awakeSettings(profile, 0), seed);
             const double spin = drifter.spin();
             const double energy = energyOf(drifter.world, drifter.bodies, 0);

@@ -1,4 +1,5 @@
 #include "../support/random.h"
+#include "../support/some_of.h"
 #include "joint_support.h"
 
 #include <cmath>
@@ -276,7 +277,7 @@ TEST(JointEnergy, OfTwoPinsOnOneFaceThatFall) {
 /// 1/256 of a step what was left of it was a part of its own, in which gaps were closed as if it had been as long as
 /// others: one drop of seventeen gained up to 10¹² times its energy.
 TEST(JointEnergy, OfPartsThatEndShortlyAfterAnImpact) {
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < someOf(300); ++i) {
         const double lift = 0.001 * i;
         World world = makeWorld();
         addStatic(world, box(20, 0.5), material(0.6), {0, -5});
@@ -301,7 +302,7 @@ TEST(JointEnergy, OfPartsThatEndShortlyAfterAnImpact) {
 TEST(JointEnergy, OfDiscsJointedTwiceThatFall) {
     int gaining = 0;
     constexpr int kDrops = 300;
-    for (int i = 0; i < kDrops; ++i) {
+    for (int i = 0; i < someOf(kDrops); ++i) {
         Random random(static_cast<std::uint64_t>(1000 + i));
         World world = makeWorld();
         addStatic(world, box(100, 0.5), material(0.6), {0, -4});

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "../support/random.h"
+#include "../support/some_of.h"
 #include "joint_support.h"
 
 /// Jointed bodies that collide with each other though their joints hold them where they overlap: neither can win, and
@@ -123,7 +124,7 @@ double growthOf(const WorldSettings& settings, double massRatio, Ties ties, std:
 /// were flung about, with up to 2380 times the energy of their fall. (What begins with an overlap is pushed apart
 /// first: hence the tenth.)
 TEST(JointOverlaps, OfNeighboursThatCollideMakeNoEnergy) {
-    for (std::uint64_t seed = 0; seed < 120; ++seed) {
+    for (std::uint64_t seed = 0; seed < someOf(120U); ++seed) {
         const double growth = growthOf(awakeSettings(), seed % 2 == 0 ? 10 : 100, Ties::overlapping, seed);
         expectAtMost("seed " + std::to_string(seed), growth, 1.1);
     }
@@ -133,7 +134,7 @@ TEST(JointOverlaps, OfNeighboursThatCollideMakeNoEnergy) {
 /// a step. (Of the first 400 such chains 193 had 2.7 times its energy then in float, 362 in double 6.5 times.)
 TEST(JointOverlaps, OfNeighboursWithLimitsMakeNoEnergy) {
     std::vector<std::uint64_t> seeds{193, 362};
-    for (std::uint64_t seed = 0; seed < 80; ++seed) { seeds.push_back(seed); }
+    for (std::uint64_t seed = 0; seed < someOf(80U); ++seed) { seeds.push_back(seed); }
     for (const std::uint64_t seed : seeds) {
         const double growth = growthOf(awakeSettings(), seed % 2 == 0 ? 10 : 100, Ties::limited, seed);
         expectAtMost("seed " + std::to_string(seed), growth, 1.1);
@@ -163,7 +164,7 @@ TEST(JointOverlaps, ComeApartWithoutGravity) {
 /// random ones with limits as well 9 had more than a tenth too much.)
 TEST(JointSprings, ChainsThatFallOnThemMakeNoEnergy) {
     WorldSettings settings = awakeSettings(Profile::fast);
-    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    for (std::uint64_t seed = 0; seed < someOf(300U); ++seed) {
         expectAtMost("seed " + std::to_string(seed), growthOf(settings, 10, Ties::sprung, seed), 1.1);
     }
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "../support/some_of.h"
 #include "bar_chain.h"
 
 /// Bodies that motors hold or drive against each other, one after the other: arms, masts, cranes. Statics is the
@@ -247,7 +248,7 @@ TEST(MotorChain, RandomArmsDoNotShake) {
     for (const Profile profile : {Profile::accurate, Profile::fast}) {
         int shaking = 0;
         double fastest = 0;
-        for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        for (std::uint32_t seed = 0; seed < someOf(100U); ++seed) {
             std::mt19937 random(seed);
             const auto between01 = [&random] { return static_cast<double>(random()) / 4294967296.0; };
             Chain arm{makeWorld(settingsOf(profile)), {}, {}};

@@ -4,6 +4,7 @@
 #include <random>
 #include <vector>
 
+#include "../support/some_of.h"
 #include "bar_chain.h"
 
 /// Motor joints that want rest with no more than some force: friction.
@@ -66,7 +67,7 @@ TEST(MotorJointFriction, WhatRubsSlidesStraightAndStops) {
 /// to 3.3 cm. (One does yet, with motors of hinges, too: a light link whips round.)
 TEST(MotorJointFriction, GivesNoEnergy) {
     int rising = 0;
-    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+    for (std::uint32_t seed = 0; seed < someOf(100U); ++seed) {
         std::mt19937 random(seed);
         const auto between01 = [&random] { return static_cast<double>(random()) / 4294967296.0; };
         World world = makeWorld(settingsOf(Profile::accurate));

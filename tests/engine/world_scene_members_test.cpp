@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "../samples/random_scene.h"
+#include "../support/some_of.h"
 #include "scene_of_world.h"
 #include "vandal.h"
 
@@ -171,7 +172,7 @@ TEST(WorldScene, HasAllThatARandomSceneHas) {
     int tried = 0;
     int flat = 0;
     std::map<JointType, int> kinds;
-    for (std::uint64_t seed = 0; seed < 1200; ++seed) {
+    for (std::uint64_t seed = 0; seed < someOf(1200U); ++seed) {
         const SceneDescription scene = SceneMaker(seed).make();
         SceneWorld built;
         std::string error;
@@ -203,17 +204,17 @@ TEST(WorldScene, HasAllThatARandomSceneHas) {
                   std::tuple(b.maxPenetration, b.maxJointError, b.maxLostTime, b.toiTolerance, b.sleep, b.broadphase))
             << what;
     }
-    EXPECT_GT(tried, 500);
+    EXPECT_GT(tried, someOf(500));
     EXPECT_LT(flat, tried / 2);
     for (int type = 0; type <= static_cast<int>(JointType::filter); ++type) {
-        EXPECT_GT(kinds[static_cast<JointType>(type)], 15) << "kind " << type;
+        EXPECT_GT(kinds[static_cast<JointType>(type)], someOf(15)) << "kind " << type;
     }
 }
 
 /// Whatever was called, in any order, with numbers of any size: what is left is a scene that the reader takes.
 TEST(WorldScene, OfAnyWorldIsRead) {
     for (const Sizes sizes : {Sizes::usual, Sizes::extreme}) {
-        for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        for (std::uint64_t seed = 0; seed < someOf(60U); ++seed) {
             Vandal vandal(seed, sizes);
             for (int act = 0; act < 300; ++act) {
                 vandal.act();

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <swept/samples/scene_reader.h>
 
+#include "../support/some_of.h"
 #include "random_scene.h"
 
 /// Damaged scenes: whatever happens to the text, the answer is a scene that validates or an error that says where.
@@ -104,7 +105,7 @@ TEST(SceneFuzz, DamagedTextGivesASceneOrAnErrorWithAPlace) {
 
 // A file that was cut off is always a syntax error, never a smaller scene.
 TEST(SceneFuzz, EveryPrefixIsRefused) {
-    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::someOf(50U); ++seed) {
         const std::string text = writeScene(test::SceneMaker(seed).make());
         for (std::size_t length = 0; length + 2 < text.size(); length += 29) {
             const SceneResult result = readScene(std::string_view(text).substr(0, length), "prefix");

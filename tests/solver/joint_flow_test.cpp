@@ -11,6 +11,7 @@
 #include <swept/solver/joint_islands/joint_flow.h>
 #include <swept/solver/joint_islands/joint_island_parts.h>
 #include "../support/random.h"
+#include "../support/some_of.h"
 
 namespace swept::test {
 namespace {
@@ -283,7 +284,7 @@ private:
 /// not allow are taken away first.
 TEST(JointFlow, LeadsWhereJointsDemand) {
     int kinds[5] = {0, 0, 0, 0, 0};
-    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    for (std::uint64_t seed = 0; seed < someOf(300U); ++seed) {
         Tree tree(seed);
         for (std::size_t i = 0; i < 5; ++i) { kinds[i] += tree.jointKinds[i]; }
         const Oracle oracle(tree);
@@ -310,7 +311,7 @@ TEST(JointFlow, LeadsWhereJointsDemand) {
             }
         }
     }
-    for (const int count : kinds) { EXPECT_GT(count, 50); }
+    for (const int count : kinds) { EXPECT_GT(count, someOf(50)); }
 }
 
 }  // namespace
