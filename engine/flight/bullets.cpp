@@ -189,6 +189,7 @@ void store(WorldState& world, BulletPartner& partner) {
         rememberGround(partner.flight, world.bodies[partner.flight.slot]);
         return;
     }
+    limitSpeed(partner.flight);
     motion = motionAt(partner.path, 1, partner.flight.body().localCenter);
     motion.velocity = partner.flight.motion.velocity;
     motion.angularVelocity = partner.flight.motion.angularVelocity;

@@ -148,6 +148,29 @@ TEST(FreeFlight, TheUsersMaxSpeedIsKeptAndReported) {
     EXPECT_GT(velocityOf(world, hit).x, 0.9 * kLimit);
 }
 
+/// Between a wall and a plate that closes in on it an elastic ball would get as fast as it has impacts left.
+TEST(FreeFlight, MaxSpeedHoldsWhatIsSqueezed) {
+    for (const Profile profile : kProfiles) {
+        for (const bool bullet : {false, true}) {
+            SCOPED_TRACE(profileName(profile) + (bullet ? " bullet" : ""));
+            WorldSettings settings = awakeSettings(profile, 0);
+            settings.maxSpeed = 12;
+            World world = makeWorld(settings);
+            addStatic(world, box(0.1, 1), material(0, 1), {-1.1, 0});
+            BodyDef def = dynamicAt({-0.8, 0}, vec(-2, 0));
+            def.bullet = bullet;
+            const BodyId ball = addBody(world, def, circle(0.04), material(0, 1, 5));
+            const BodyId plate = addBody(world, bodyAt(BodyType::kinematic, {-0.5, 0}), circle(0.06), material(0, 0.8));
+            must(world.setVelocity(plate, vec(-8, 0), 0));
+            for (int i = 0; i < 8; ++i) {
+                must(world.step(kStep));
+                EXPECT_LE(length(velocityOf(world, ball)), 12 * (1 + 1e-6)) << "step " << i;
+                if (world.position(plate).x < -0.8) { must(world.setVelocity(plate, {}, 0)); }
+            }
+        }
+    }
+}
+
 /// What is kinematic moves as it is told, for all others of the step as well: a ball meets a plate where that goes.
 TEST(FreeFlight, MaxSpeedSlowsNothingKinematic) {
     WorldSettings settings = awakeSettings(0);
