@@ -31,7 +31,7 @@ namespace swept::inline SWEPT_PRECISION {
 struct JointDef {
     BodyId bodyA{};
     BodyId bodyB{};
-    bool collideConnected = false;
+    bool collideConnected = false;  ///< whether the two bodies collide; sensors of either see the other all the same
     /// N, above 0; the joint breaks when its mean reaction over a step is larger.
     std::optional<Real> breakForce{};
     std::optional<Real> breakTorque{};  ///< N·m, above 0; likewise

@@ -34,8 +34,7 @@ bool mayTouch(const WorldState& world, const Shape& a, const Shape& b) {
     if (a.body == b.body || !shouldCollide(a.def.filter, b.def.filter)) { return false; }
     const auto isFixed = [&world](const Shape& shape) { return world.bodies[shape.body].def.type == BodyType::fixed; };
     const bool isSensed = a.def.sensor || b.def.sensor;  // without, somebody asks for one that is dynamic
-    if (isSensed && isFixed(a) && isFixed(b)) { return false; }
-    if (jointForbids(world, a.body, b.body)) { return false; }
+    if (isSensed ? isFixed(a) && isFixed(b) : jointForbids(world, a.body, b.body)) { return false; }
     return world.contactFilter == nullptr || !gameForbids(world, a, b);
 }
 

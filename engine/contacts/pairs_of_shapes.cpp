@@ -180,8 +180,12 @@ std::span<const std::uint32_t> pairsOfShape(WorldState& world, std::span<const s
 }
 
 std::span<const std::uint32_t> pairsBetween(WorldState& world, const Joint& joint) {
-    const auto isBetween = [a = joint.bodyA, b = joint.bodyB](const ContactPair& c) {
-        return (c.bodyA == a && c.bodyB == b) || (c.bodyA == b && c.bodyB == a);
+    const auto isSensor = [&world](ProxyId proxy) {
+        return world.shapes[world.proxyShapes[static_cast<std::size_t>(proxy)]].def.sensor;
+    };
+    const auto isBetween = [&isSensor, a = joint.bodyA, b = joint.bodyB](const ContactPair& c) {
+        const bool connects = (c.bodyA == a && c.bodyB == b) || (c.bodyA == b && c.bodyB == a);
+        return connects && !isSensor(c.proxyA) && !isSensor(c.proxyB);
     };
     return pairsOf(world, world.bodies[bodyOfFewerShapes(world, joint)].shapes, isBetween);
 }

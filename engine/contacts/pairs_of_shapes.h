@@ -27,7 +27,7 @@ void listSlots(const WorldState& world, std::uint32_t head, std::vector<std::uin
 /// Likewise all pairs of such a shape. @param slots  all that it has
 void findPairsOfShape(WorldState& world, std::span<const std::uint32_t> slots, std::vector<std::uint32_t>& found);
 std::span<const std::uint32_t> pairsOfShape(WorldState& world, std::span<const std::uint32_t> slots);
-/// Likewise all between the bodies that a joint keeps apart.
+/// Likewise all between the bodies that a joint keeps apart, but for those of sensors.
 std::span<const std::uint32_t> pairsBetween(WorldState& world, const Joint& joint);
 /// @return nothing where the place is that of a candidate: these follow all contacts
 ContactProbe* probeAt(WorldState& world, std::size_t place);
