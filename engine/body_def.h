@@ -45,8 +45,9 @@ struct BodyDef {
     Real linearDamping = 0;  ///< 1/s, v′ = −c·v, applied exactly; at least 0
     Real angularDamping = 0;
     Real gravityScale = 1;
-    Real mass = 0;               ///< replaces the mass of the shapes; 0: take theirs. Of dynamic bodies only
-    Real inertia = 0;            ///< kg·m² about the centre of mass; likewise
+    Real mass = 0;     ///< replaces the mass of the shapes, and scales their inertia along; 0: take theirs. Of dynamic
+                       ///< bodies only. Shapes without density have no inertia, nor do they move the centre of mass
+    Real inertia = 0;  ///< kg·m² about the centre of mass; likewise. What has none is turned by nothing
     bool fixedRotation = false;  ///< does not turn; its angular velocity is 0
     bool bullet = false;         ///< in mode `subStep`, also swept against dynamic bodies, in order of time
     bool awake = true;           ///< false: sleeps until something wakes it, with the shapes that it is given then

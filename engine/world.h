@@ -104,7 +104,8 @@ public:
     Status redefine(BodyId id, const BodyDef& def);
     /// Teleports a body of any type, its origin to `position` (world, metres) and turned to `angle` (rad): contacts
     /// end, and begin anew where it is. Wakes the body and what it touched. What is to push others on its way (a lift)
-    /// is given a velocity instead. Joints pull the rest of a jointed group after it, at any speed.
+    /// is given a velocity instead: a static body that is put into one that sleeps does not wake it. Joints pull the
+    /// rest of a jointed group after it, at any speed.
     Status setPose(BodyId id, DVec2 position, double angle);
     /// Of the centre of mass, m/s, and rad/s; wakes the body. Errors: `wrongBodyType` of static bodies; `outOfRange`
     /// with "angularVelocity" where rotation is fixed.
@@ -151,6 +152,7 @@ public:
     void visitJoints(BodyId id, FunctionRef<void(JointId)> visit) const;
 
     // --- shapes
+    /// One of a static body wakes nobody: what sleeps where it is put sleeps on, in it, until something else wakes it.
     /// Errors: as of `validate` (polygon.h); `negative` (density, friction); `outOfRange` with "restitution",
     /// "frictionMixing" and "restitutionMixing"; `notFinite`.
     Result<ShapeId> addShape(BodyId body, const Polygon& polygon, const ShapeDef& def = {});
