@@ -105,6 +105,8 @@ void iterateTheRest(Course& course) {
     }
 }
 
+bool isFirstPart(const Course& course) { return course.elapsed <= 0; }
+
 /// @param isTried  whether the part may be taken back
 void remember(Course& course, bool isTried) {
     AdvancingIsland& island = course.island;
@@ -115,7 +117,7 @@ void remember(Course& course, bool isTried) {
         course.world.bodies[slot].startCenter = motion.center;
         course.world.bodies[slot].startAngle = motion.angle;
     }
-    if (isTried) { island.heldBefore = island.held; }
+    if (isTried) { rememberHeld(island, isFirstPart(course)); }
     course.subStepBefore = course.island.subStep;
     island.jointsBefore.clear();
     for (const std::uint32_t slot : island.jointSlots) { island.jointsBefore.push_back(course.world.joints[slot]); }
@@ -132,9 +134,8 @@ void takeBack(Course& course) {
         course.world.joints[island.jointSlots[i]] = island.jointsBefore[i];
     }
     if (course.lent != nullptr) { *course.lent = island.lentBefore; }
-    island.held = island.heldBefore;
+    takeBackHeld(course.world, island, isFirstPart(course));
     island.subStep = course.subStepBefore;
-    island.sources.resize(island.held.size());
     auto& events = course.desk.events;
     events.erase(events.begin() + static_cast<std::ptrdiff_t>(course.eventsBefore), events.end());
 }

@@ -193,13 +193,28 @@ void addUpTotals(AdvancingIsland& island) {
     }
 }
 
+void rememberHeld(AdvancingIsland& island, bool isFirstPart) {
+    if (!isFirstPart) { island.heldBefore = island.held; }
+}
+
+void takeBackHeld(const WorldState& world, AdvancingIsland& island, bool isFirstPart) {
+    if (!isFirstPart) {
+        island.held = island.heldBefore;
+        island.sources.resize(island.held.size());
+        return;
+    }
+    island.sources.resize(island.sourceProbes.size());
+    island.held.clear();
+    for (const std::uint32_t source : island.sources) { island.held.push_back(world.contacts[source]); }
+}
+
 void storeHeld(WorldState& world, IslandDesk& desk) {
     AdvancingIsland& island = desk.island;
-    island.pointsBefore.resize(island.held.size());
+    const Manifold none;
     for (std::size_t i = 0; i < island.held.size(); ++i) {
         Contact& contact = island.held[i];
         const bool isTold = hasPressed(contact);
-        if (isTold) { tellImpulse(contact, island.pointsBefore[i]); }
+        if (isTold) { tellImpulse(contact, i < island.pointsBefore.size() ? island.pointsBefore[i] : none); }
         if (island.sources[i] == kNoIndex) {
             if (isTold) { desk.found.push_back(contact); }
             continue;

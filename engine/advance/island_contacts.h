@@ -21,6 +21,12 @@ void setSubStep(const WorldState& world, AdvancingIsland& island, double seconds
 void putTotalsAside(AdvancingIsland& island);
 void addUpTotals(AdvancingIsland& island);
 
+/// Before a part that may be taken back. Those of the first part are still in the world as they were: a large island,
+/// which mostly has no other one, need not copy them in vain.
+void rememberHeld(AdvancingIsland& island, bool isFirstPart);
+/// As they were then.
+void takeBackHeld(const WorldState& world, AdvancingIsland& island, bool isFirstPart);
+
 /// After the step: the contacts of the world are what they became here. What pressed in it has points, those with which
 /// it did, though they may be out of reach by now: its impulse is told by them. Of contacts that were found on the way,
 /// those are left at the desk.

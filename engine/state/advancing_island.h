@@ -28,13 +28,13 @@ struct AdvancingIsland {
     std::vector<std::uint32_t> sourceProbes;  ///< of those that have one, which come first: index of the probe
     std::vector<std::uint64_t> heldPairs;     ///< of shape slots, sorted
     std::vector<std::uint32_t> found;
-    std::vector<BoxedItem> boxed;            ///< shapes of members, by slot: scratch, as is the next one
-    std::vector<std::uint64_t> metPairs;     ///< of shape slots
-    double usualSubStep = 0;                 ///< of the world, s
-    double subStep = 0;                      ///< that the impulses of the held contacts belong to, s
-    std::vector<BodyMotion> membersAtStart;  ///< of the step
-    std::vector<BodyMotion> membersBefore;   ///< before the part that is being tried
-    std::vector<Contact> heldBefore;
+    std::vector<BoxedItem> boxed;             ///< shapes of members, by slot: scratch, as is the next one
+    std::vector<std::uint64_t> metPairs;      ///< of shape slots
+    double usualSubStep = 0;                  ///< of the world, s
+    double subStep = 0;                       ///< that the impulses of the held contacts belong to, s
+    std::vector<BodyMotion> membersAtStart;   ///< of the step
+    std::vector<BodyMotion> membersBefore;    ///< before the part that is being tried
+    std::vector<Contact> heldBefore;          ///< likewise, but for the first part
     std::vector<std::array<Real, 2>> totals;  ///< by held contact: impulses of the parts before
     std::vector<Joint> jointsBefore;
     LentEnergy lentAtStart;                        ///< of the step
