@@ -155,12 +155,20 @@ void findDrifts(WorldState& world, SolveDesk& desk) {
     }
 }
 
+/// Of an island without joints: what is fed, as far as the pairs until this one tell, is asked for no more of them.
+bool isFed(WorldState& world, const TouchingPair& pair) {
+    EnergyAccount& account = accountOf(world, pair.dynamicBody());
+    const Body& other = world.bodies[pair.dynamicB ? pair.bodyA : pair.bodyB];
+    return account.isFed = account.isFed || pair.isBelt || other.def.type == BodyType::kinematic;
+}
+
 /// What else has a part in the motion of the islands.
 void noteOthers(WorldState& world, const TiedGroup& group) {
     const bool hasJoints = !group.joints.empty();
     if (group.role == BodyRole::solved) {
         for (const TouchingPair& pair : world.touching) {
-            if (!pair.areDynamic() || hasJoints || pair.isBelt) { noteContact(world, world.contacts[pair.contact]); }
+            const bool isAsked = hasJoints || ((!pair.areDynamic() || pair.isBelt) && !isFed(world, pair));
+            if (isAsked) { noteContact(world, world.contacts[pair.contact]); }
         }
     } else {
         for (const Contact& contact : group.contacts) { noteContact(world, contact); }
