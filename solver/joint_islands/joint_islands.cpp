@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <vector>
 
 #include "../direct/direct_parts.h"
 #include "../direct/direct_rows.h"
@@ -38,26 +39,52 @@ IslandBody bodyAt(const SolverBatch& batch, BodySlot slot) {
     return body;
 }
 
-/// Nobody begins with the impulses of what gave way where they mean nothing. (A net of 64 discs that balls had opened
-/// by 3 cm ended the step in which it closed with 2e7 N·s in its hinges, where it weighs 74. The next step was
-/// iterated, since a ball touched it again, and opened them by 1.9 m, with nearly twice the energy.)
-void forgetVoidForces(JointIsland& island, int subSteps) {
-    if (!island.isSoft() || island.isTree()) { return; }
+/// Rows that give way in a loop.
+struct VoidBounds {
+    double impulse = 0;  ///< N·s, beyond which they mean nothing
+    double twist = 0;    ///< N·m·s, likewise
+    bool areExceededBy(const IslandHold& hold) const {
+        const double most = hold.kind == IslandHold::Kind::angle ? twist : impulse;
+        return std::any_of(std::begin(hold.rows), std::end(hold.rows),
+                           [most](const IslandHold::Row& row) { return std::fabs(row.total) > most; });
+    }
+};
+
+/// Impulses by the momentum of all, what resists turning by that at the longest arm: of an anchor, or with which a body
+/// resists turning itself. Drives of the step are those of the batch, for half a sub-step: the island may have made
+/// more of its own.
+VoidBounds voidBoundsOf(JointIsland& island, const SolverBatch& batch, int subSteps) {
     double mass = 0;
     double speed = 0;
     double fall = 0;
+    double arm = 0;
     for (const IslandBody& body : island.bodies()) {
         if (body.column == kNoNode) { continue; }
+        const double own = body.inverseInertia > 0 ? std::sqrt(body.inverseMass / body.inverseInertia) : 0;
         mass += 1 / body.inverseMass;
-        speed = std::max(speed, length(body.velocity));
-        fall = std::max(fall, 2 * subSteps * length(body.gain));  // drives are for half a sub-step
+        speed = std::max({speed, length(body.velocity), own * std::fabs(body.spin)});
+        fall = std::max(fall, 2 * subSteps * length(toDoubles(batch.drives[body.slot].gain)));
+        arm = std::max(arm, own);
+    }
+    for (const IslandHold& hold : island.holds()) {
+        if (island.bodies()[hold.a].column != kNoNode) { arm = std::max(arm, length(hold.anchorA)); }
+        if (island.bodies()[hold.b].column != kNoNode) { arm = std::max(arm, length(hold.anchorB)); }
     }
     const double most = kMostOfMomentum * mass * (speed + fall);
-    const auto isVoid = [most](const IslandHold& hold) {
-        return std::any_of(std::begin(hold.rows), std::end(hold.rows),
-                           [most](const IslandHold::Row& row) { return std::fabs(row.total) > most; });
-    };
-    if (std::none_of(island.holds().begin(), island.holds().end(), isVoid)) { return; }
+    return {.impulse = most, .twist = most * arm};
+}
+
+/// Nobody begins with the impulses of what gave way where they mean nothing. (A net of 64 discs that balls had opened
+/// by 3 cm ended the step in which it closed with 2e7 N·s in its hinges, where it weighs 74. The next step was
+/// iterated, since a ball touched it again, and opened them by 1.9 m, with nearly twice the energy.)
+void forgetVoidForces(JointIsland& island, const SolverBatch& batch, int subSteps) {
+    if (!island.isSoft() || island.isTree()) { return; }
+    const VoidBounds bounds = voidBoundsOf(island, batch, subSteps);
+    const std::vector<IslandHold>& holds = island.holds();
+    if (std::none_of(holds.begin(), holds.end(),
+                     [&bounds](const IslandHold& hold) { return bounds.areExceededBy(hold); })) {
+        return;
+    }
     for (IslandHold& hold : island.holds()) {
         for (IslandHold::Row& row : hold.rows) { row.total = 0; }
     }
@@ -180,7 +207,7 @@ void JointIslands::reserveFlows(std::size_t workers) {
 
 void JointIslands::readBack(SolverBatch& batch, int subSteps) {
     for (std::uint32_t i = 0; i < count_; ++i) {
-        forgetVoidForces(parts_[i], subSteps);
+        forgetVoidForces(parts_[i], batch, subSteps);
         for (const IslandBody& body : parts_[i].bodies()) {
             if (body.column == kNoNode) { continue; }
             BodyState& state = batch.states[body.slot];
