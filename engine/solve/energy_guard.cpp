@@ -155,8 +155,8 @@ void findDrifts(WorldState& world, SolveDesk& desk) {
     }
 }
 
-/// Of an island without joints: what is fed, as far as the pairs until this one tell, is asked for no more of them.
-bool isFed(WorldState& world, const TouchingPair& pair) {
+/// Of an island without joints: whether the pairs up to this one tell that it is fed; then no more is asked of them.
+bool noteFeed(WorldState& world, const TouchingPair& pair) {
     EnergyAccount& account = accountOf(world, pair.dynamicBody());
     const Body& other = world.bodies[pair.dynamicB ? pair.bodyA : pair.bodyB];
     return account.isFed = account.isFed || pair.isBelt || other.def.type == BodyType::kinematic;
@@ -167,7 +167,7 @@ void noteOthers(WorldState& world, const TiedGroup& group) {
     const bool hasJoints = !group.joints.empty();
     if (group.role == BodyRole::solved) {
         for (const TouchingPair& pair : world.touching) {
-            const bool isAsked = hasJoints || ((!pair.areDynamic() || pair.isBelt) && !isFed(world, pair));
+            const bool isAsked = hasJoints || ((!pair.areDynamic() || pair.isBelt) && !noteFeed(world, pair));
             if (isAsked) { noteContact(world, world.contacts[pair.contact]); }
         }
     } else {
