@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../shapes/aabb.h"
+#include "../shapes/listed_members.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -56,6 +57,12 @@ public:
     /// All nodes, free ones included.
     std::span<const TreeNode> nodes() const { return nodes_; }
     std::size_t memoryBytes() const { return nodes_.capacity() * sizeof(TreeNode); }
+
+    /// All of it (shapes/listed_members.h).
+    template <class Self>
+    static constexpr auto allMembers(Self& self) {
+        return listed(self.nodes_, self.root_, self.firstFree_);
+    }
 
 private:
     NodeIndex allocate();

@@ -10,6 +10,12 @@ class AllPairs final : public TableBroadphase {
 public:
     std::unique_ptr<Broadphase> clone() const override { return std::make_unique<AllPairs>(*this); }
 
+    /// All of it (shapes/listed_members.h).
+    template <class Self>
+    static constexpr auto allMembers(Self& self) {
+        return listed(baseOf<TableBroadphase>(self));
+    }
+
 private:
     void onInsert(std::uint32_t) override {}
     void onMove(std::uint32_t) override {}

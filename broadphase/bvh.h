@@ -18,6 +18,12 @@ public:
     /// For tests and for measuring its quality.
     const AabbTree& tree(ProxyKind kind) const { return trees_[static_cast<std::size_t>(kind)]; }
 
+    /// All of it (shapes/listed_members.h).
+    template <class Self>
+    static constexpr auto allMembers(Self& self) {
+        return listed(baseOf<TableBroadphase>(self), self.leaves_, self.trees_);
+    }
+
 private:
     void onInsert(std::uint32_t slot) override;
     void onMove(std::uint32_t slot) override;

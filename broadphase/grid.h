@@ -18,6 +18,14 @@ public:
     std::unique_ptr<Broadphase> clone() const override { return std::make_unique<Grid>(*this); }
     Grid();
 
+    /// All of it (shapes/listed_members.h).
+    template <class Self>
+    static constexpr auto allMembers(Self& self) {
+        return listed(baseOf<TableBroadphase>(self), self.buckets_, self.next_, self.previous_, self.cells_,
+                      self.isGiant_, leftOut(self.sizes_), self.firstGiant_, self.giants_, self.filed_,
+                      self.giantsAtRefiling_, self.used_, self.cell_);
+    }
+
 private:
     struct Cell {
         std::int32_t x = 0;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "../shapes/listed_members.h"
 #include "broadphase.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -77,6 +78,13 @@ public:
     void finishPairs();
 
     std::size_t memoryBytes() const;
+
+    /// All of it (shapes/listed_members.h).
+    template <class Self>
+    static constexpr auto allMembers(Self& self) {
+        return listed(self.kindBits_, self.listed_, self.boxes_, self.known_, self.moved_, self.free_,
+                      leftOut(self.keepsKnown_));
+    }
 
 private:
     void makeRoomForOne();

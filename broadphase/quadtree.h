@@ -19,6 +19,13 @@ public:
     std::unique_ptr<Broadphase> clone() const override { return std::make_unique<Quadtree>(*this); }
     Quadtree();
 
+    /// All of it (shapes/listed_members.h).
+    template <class Self>
+    static constexpr auto allMembers(Self& self) {
+        return listed(baseOf<TableBroadphase>(self), self.squares_, self.free_, self.root_, self.standsIn_, self.next_,
+                      self.previous_);
+    }
+
 private:
     using SquareIndex = std::uint32_t;
     struct Square {

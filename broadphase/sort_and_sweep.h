@@ -16,6 +16,14 @@ class SortAndSweep final : public TableBroadphase {
 public:
     std::unique_ptr<Broadphase> clone() const override { return std::make_unique<SortAndSweep>(*this); }
 
+    /// All of it (shapes/listed_members.h).
+    template <class Self>
+    static constexpr auto allMembers(Self& self) {
+        return listed(baseOf<TableBroadphase>(self), self.all_, leftOut(self.moved_), self.isListed_, self.blocks_,
+                      leftOut(self.movedQueries_), leftOut(self.restedQueries_), leftOut(self.hits_), self.alongY_,
+                      self.isSorted_);
+    }
+
 private:
     struct Entry {
         Real key;  ///< lower bound along the axis

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../shapes/listed_members.h"
 #include "box_sweep.h"
 #include "pair_order.h"
 #include "proxy_table.h"
@@ -87,6 +88,13 @@ public:
                FunctionRef<Real(ProxyId, Real)> visit) const final;
     BroadphaseCounters counters() const final;
     std::size_t memoryBytes() const final;
+
+    /// All of it (shapes/listed_members.h).
+    template <class Self>
+    static constexpr auto allMembers(Self& self) {
+        return listed(self.table_, leftOut(self.order_), leftOut(self.coming_), leftOut(self.comes_), self.anyBeside_,
+                      leftOut(self.counters_), leftOut(self.queryTests_));
+    }
 
 protected:
     ProxyTable& table() { return table_; }

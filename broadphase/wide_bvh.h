@@ -22,6 +22,13 @@ public:
     /// For tests and for measuring its quality.
     const WideTree& tree(ProxyKind kind) const { return trees_[static_cast<std::size_t>(kind)]; }
 
+    /// All of it (shapes/listed_members.h).
+    template <class Self>
+    static constexpr auto allMembers(Self& self) {
+        return listed(baseOf<TableBroadphase>(self), leftOut(self.kernels_), self.trees_, leftOut(self.kindsBeside_),
+                      self.places_, leftOut(self.joins_), leftOut(self.scratch_));
+    }
+
 private:
     void onInsert(std::uint32_t slot) override;
     void onMove(std::uint32_t slot) override;

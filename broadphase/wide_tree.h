@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../shapes/aabb.h"
+#include "../shapes/listed_members.h"
 #include "../shapes/task_system.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -106,6 +107,17 @@ public:
     bool anyMoved() const { return !moved_[0].empty(); }
     std::uint32_t size() const { return size_; }
     std::size_t memoryBytes() const;
+
+    /// All of it (shapes/listed_members.h).
+    template <class Self>
+    static constexpr auto allMembers(Self& self) {
+        return listed(self.levels_, self.known_, self.slots_, self.movedLanes_, self.movedNodes_, self.jumpedLanes_,
+                      self.jumped_, self.besides_, self.nodeSpreads_, self.moved_, self.height_, self.size_, self.end_,
+                      self.movedCount_, self.misplaced_, self.builtSpread_, self.builtSize_, self.spread_,
+                      self.isPrepared_, self.decay_, leftOut(self.spreadGains_), leftOut(self.items_),
+                      leftOut(self.oldBoxes_), leftOut(self.oldKnown_), leftOut(self.oldSlots_),
+                      leftOut(self.oldMoved_));
+    }
 
 private:
     struct Item {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "../shapes/chain.h"
 #include "../shapes/polygon.h"
@@ -51,6 +52,19 @@ public:
     /// system and the contact filter are the same; two worlds may be stepped at the same time if these allow that.
     World(const World& other);
     World& operator=(const World& other);
+    /// A snapshot as bytes, for files and other machines: all that a copy has, with the user data. They are read by
+    /// libraries of the same precision whose worlds have the same members, mostly those of the same version, whatever
+    /// compiler, machine and threads they are for. Copies have equal bytes, and the same calls lead to equal bytes as
+    /// long as number of threads and vector instructions are the same, too: what these change is what a step knows
+    /// already, not what it does.
+    std::vector<std::uint8_t> save() const;
+    /// Becomes the world that was saved, and goes on with its bits. What the host gave stays: the task system, and the
+    /// contact filter, which is not asked about contacts that there are; it is to be the one that the saved world had,
+    /// or `setContactFilter` is to be called again afterwards. Changes nothing where it refuses, or memory runs out.
+    /// Errors: `damaged` with "bytes" where they were cut off or changed; `otherBuild` with "precision", or with
+    /// "layout" or "version" where the library has other members. Only for bytes from someone you trust: who means harm
+    /// can make some that look whole.
+    Status load(std::span<const std::uint8_t> bytes);
 
     /// Replaces all settings. Another gravity wakes all that fell asleep, and so does it to forbid sleep.
     /// Errors: `notFinite`, `outOfRange`, `negative`, `notPositive` with the name of the member; `notNow` with

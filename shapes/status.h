@@ -29,8 +29,10 @@ enum class StatusCode : std::uint8_t {
     noIdsLeft,        ///< all ids of its kind are in use; want of memory is another matter (`std::bad_alloc`)
     disabled,         ///< the call is for bodies that take part (`World::setEnabled`)
     notNow,           ///< the call has to come at another time (another broadphase before the world has shapes)
+    damaged,          ///< bytes of a world are cut off, or not those that were written (`World::load`)
+    otherBuild,       ///< they are of another precision, or of a library whose worlds have other members
 };
-inline constexpr std::size_t kStatusCodeCount = static_cast<std::size_t>(StatusCode::notNow) + 1;
+inline constexpr std::size_t kStatusCodeCount = static_cast<std::size_t>(StatusCode::otherBuild) + 1;
 
 /// What went wrong, and with which argument. The name is that of the argument or member, with these exceptions: an id
 /// goes by what it names ("body", "shape", "joint"); motors, limits of length and break limits go by what the
@@ -82,6 +84,10 @@ constexpr const char* describe(StatusCode code) {
             return "is disabled";
         case StatusCode::notNow:
             return "cannot be changed now";
+        case StatusCode::damaged:
+            return "are damaged or cut off";
+        case StatusCode::otherBuild:
+            return "is that of another build";
     }
     return "";  // unreachable, but GCC cannot know
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "../../shapes/cache_line.h"
+#include "../../shapes/listed_members.h"
 
 namespace swept {
 
@@ -53,6 +54,12 @@ public:
     /// The same number for either order of the two, and another one for each pair.
     static std::uint64_t keyOf(std::uint32_t a, std::uint32_t b) {
         return a < b ? (std::uint64_t{a} << 32) | b : (std::uint64_t{b} << 32) | a;
+    }
+
+    /// All of it (shapes/listed_members.h).
+    template <class Self>
+    static constexpr auto allMembers(Self& self) {
+        return listed(self.keys_, self.size_);
     }
 
 private:

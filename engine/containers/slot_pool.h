@@ -8,6 +8,7 @@
 
 #include "../../shapes/cache_line.h"
 #include "../../shapes/compiler.h"
+#include "../../shapes/listed_members.h"
 #include "../../shapes/room.h"
 
 namespace swept {
@@ -73,6 +74,12 @@ public:
     /// The same after one more is inserted.
     std::size_t slotsWithOneMore() const { return slots_.size() + (free_.empty() ? 1 : 0); }
     std::uint32_t size() const { return alive_; }
+
+    /// All of it (shapes/listed_members.h).
+    template <class Self>
+    static constexpr auto allMembers(Self& self) {
+        return listed(self.slots_, self.free_, self.alive_);
+    }
 
 private:
     /// In lines of its own: what is asked of a thing first is in one line then, not in two.

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "../../shapes/listed_members.h"
 #include "contact.h"
 #include "shape.h"
 
@@ -54,6 +55,12 @@ public:
         const auto list = static_cast<std::size_t>(proxy);
         if (list >= first_.size()) { return; }
         for (std::uint32_t end = first_[list]; end != kNoIndex; end = links_[end].next) { visit(end / 2); }
+    }
+
+    /// All of it (shapes/listed_members.h).
+    template <class Self>
+    static constexpr auto allMembers(Self& self) {
+        return listed(self.pairs_, self.links_, self.first_, self.firstFree_, self.freeCount_);
     }
 
 private:

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "../../shapes/listed_members.h"
+
 namespace swept {
 
 /// Connected components by union–find with path halving; the root of a component is its lowest member, so the result
@@ -67,6 +69,12 @@ public:
         parents_[std::max(rootA, rootB)] = low;
         parents_[a] = low;
         parents_[b] = low;
+    }
+
+    /// All of it (shapes/listed_members.h).
+    template <class Self>
+    static constexpr auto allMembers(Self& self) {
+        return listed(self.parents_, self.united_, self.mayAllBeUnited_);
     }
 
 private:

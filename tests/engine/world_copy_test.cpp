@@ -1,6 +1,6 @@
-#include <swept/samples/built_in/builtin_scenes.h>
 #include <swept/samples/world_builder.h>
 
+#include "all_scenes.h"
 #include "mixed_scene.h"
 #include "vandal.h"
 #include "world_support.h"
@@ -23,18 +23,6 @@ std::vector<std::uint64_t> digestsOfSteps(World& world, const KnownIds& known, i
         digests.push_back(digestOf(world, known));
     }
     return digests;
-}
-
-std::vector<SceneDescription> allScenes() {
-    std::vector<SceneDescription> scenes;
-    for (const BuiltinScene& entry : builtinScenes()) { scenes.push_back(entry.make()); }
-    scenes.push_back(scenes::mixedScene());
-    const std::size_t count = scenes.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        scenes.push_back(scenes[i]);
-        scenes.back().settings.profile = SceneProfile::fast;
-    }
-    return scenes;
 }
 
 TEST(WorldCopy, GoesOnAsTheOriginal) {

@@ -1,7 +1,9 @@
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 #include <optional>
+#include <vector>
 
 #include "world_support.h"
 
@@ -143,6 +145,24 @@ TEST_P(OutOfMemory, NothingIsMadeInACopyEither) { expectNothingWasMade(GetParam(
 INSTANTIATE_TEST_SUITE_P(Calls, OutOfMemory,
                          testing::Values(&makeBody, &addToGround, &addToBox, &addChainToGround, &joinBoxes,
                                          &joinToGround));
+
+TEST(OutOfMemory, NothingIsLoaded) {
+    Floor floor;
+    const std::vector<std::uint8_t> saved = floor.world.save();
+    run(floor.world, 5);
+    const std::vector<std::uint8_t> before = floor.world.save();
+    int failures = 0;
+    for (;; ++failures) {
+        allocationsLeft = failures;
+        try {
+            must(floor.world.load(saved));
+            break;
+        } catch (const std::bad_alloc&) { ASSERT_TRUE(floor.world.save() == before) << "allocation " << failures; }
+    }
+    allocationsLeft.reset();
+    EXPECT_GT(failures, 100);
+    EXPECT_TRUE(floor.world.save() == saved);
+}
 
 }  // namespace
 }  // namespace swept::test

@@ -57,8 +57,9 @@ TEST(IncludeEdges, PointOneWay) {
 }
 
 /// The folders of a step, from below: what stands in engine/ itself is public, and below all of them.
-const std::vector<std::string> kFoldersOfEngine = {"containers", "crew",    "state",  "bodies",  "contacts", "modes",
-                                                   "solve",      "islands", "flight", "advance", "stages",   "calls"};
+const std::vector<std::string> kFoldersOfEngine = {"containers", "crew",   "state", "image",   "bodies",
+                                                   "contacts",   "modes",  "solve", "islands", "flight",
+                                                   "advance",    "stages", "calls"};
 
 /// In that order; 0 is the public folder.
 std::size_t floorOf(const std::string& path) {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+/// How something tells all that it consists of to who writes it down (engine/image/members.h): classes whose members
+/// are private by a static function `allMembers(self)`, which returns what `listed` makes of its bases and members, in
+/// the order of their declaration. It is given constant objects and others.
+
+namespace swept {
+
+/// A member that need not be written: it says nothing about what will be. Scratch, and what is found again.
+template <class T>
+struct LeftOut {
+    T& member;
+};
+template <class T>
+constexpr LeftOut<T> leftOut(T& member) {
+    return {member};
+}
+
+/// References to members, and what is left out.
+template <class... Members>
+constexpr std::tuple<Members...> listed(Members&&... members) {
+    return {std::forward<Members>(members)...};
+}
+
+template <class Base, class T>
+constexpr auto& baseOf(T& object) {
+    return static_cast<std::conditional_t<std::is_const_v<T>, const Base, Base>&>(object);
+}
+
+}  // namespace swept
