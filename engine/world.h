@@ -54,9 +54,9 @@ public:
     World& operator=(const World& other);
     /// A snapshot as bytes, for files and other machines: all that a copy has, with the user data. They are read by
     /// libraries of the same precision whose worlds have the same members, mostly those of the same version, whatever
-    /// compiler, machine and threads they are for. Copies have equal bytes, and the same calls lead to equal bytes as
-    /// long as number of threads and vector instructions are the same, too: what these change is what a step knows
-    /// already, not what it does.
+    /// compiler, machine and threads they are for. Copies have equal bytes. So have worlds that the same calls lead to,
+    /// unless they measure their stages' times, or differ in threads or vector instructions: these change what a step
+    /// knows already, but not what it does. (`stateHash` tells whether two machines agree.)
     std::vector<std::uint8_t> save() const;
     /// Becomes the world that was saved, and goes on with its bits. What the host gave stays: the task system, and the
     /// contact filter, which is not asked about contacts that there are; it is to be the one that the saved world had,

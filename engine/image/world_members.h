@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "../state/world_state.h"
+#include "body_members.h"
 #include "contact_members.h"
 #include "joint_members.h"
 #include "members.h"
