@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <numeric>
 #include <span>
 
@@ -33,16 +34,17 @@ Aabb boxOf(const BulletPartner& partner) {
     return overlaps(box, box) ? box : kNoBox;
 }
 
-BulletPartner partnerOf(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
+/// Made in place: it is large, and a copy would have to wait for what was just written.
+void makePartner(BulletPartner& place, WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratch) {
     const Body& body = world.bodies[slot];
-    BulletPartner partner{.flight = flightOf(world, slot, dt, scratch), .path = {}};
+    BulletPartner& partner = *new (&place) BulletPartner{.flight = flightOf(world, slot, dt, scratch), .path = {}};
     partner.isBullet = isBullet(world, slot);
     partner.clash = dissolvedClashOf(world, slot);
     if (body.awake && body.role == BodyRole::flyer) {
         partner.flies = partner.moved = true;
         limitSpeed(partner.flight);
         resolveStart(partner.flight);
-        return partner;
+        return;
     }
     partner.tied = isTied(body);
     const BodyMotion& motion = world.motions[slot];
@@ -56,7 +58,6 @@ BulletPartner partnerOf(WorldState& world, std::uint32_t slot, double dt, Flight
         const DVec2 way = partner.path.c1 - partner.path.c0;
         partner.path.k = way - dt * toDouble(velocityBefore(way, 0, drift).linear);
     }
-    return partner;
 }
 
 /// What it does in the rest of the step while nothing happens to it, and when that meets something static or kinematic.
@@ -179,7 +180,7 @@ void beginPartner(WorldState& world, std::uint32_t index, FlightScratch& scratch
                   std::vector<BulletMeeting>& meetings) {
     BulletWork& work = world.bulletWork;
     BulletPartner& partner = work.partners[index];
-    partner = partnerOf(world, work.slots[index], work.dt, scratch);
+    makePartner(partner, world, work.slots[index], work.dt, scratch);
     renewPath(partner, meetings);
     work.boxes[index] = boxOf(partner);
 }
