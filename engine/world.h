@@ -34,13 +34,14 @@ struct SceneNames;
 /// id return a default value (zeros, false). One thread at a time; what is const may run at the same time as each
 /// other. What a query or visit calls back may change the world: it is told of what was there when it was asked. What
 /// was destroyed since is left out, what was moved or made since may be. A world that was moved from may only be
-/// assigned to or destroyed. The same calls give the same bits on every machine, compiler and number of threads.
+/// assigned to, loaded into or destroyed. The same calls give the same bits on every machine, compiler and number of
+/// threads.
 ///
 /// Where memory runs out, `std::bad_alloc` comes through (in a loop that other threads share, and in a library without
 /// exceptions, it ends the program). A call that
 /// was to make a body, shape, chain or joint has made nothing then, and with the default broadphase the world can be
 /// used on. After any other call, step and assignment included, it may only be assigned to, by a snapshot for example,
-/// or destroyed.
+/// loaded into, or destroyed. But for `load`, which has changed nothing then.
 class World {
 public:
     World();
