@@ -81,7 +81,7 @@ void fillContact(WorldState& world, ContactProbe& probe, std::size_t place, std:
     probe.proxyA = world.shapes[contact.shapeA].proxy;
     probe.proxyB = world.shapes[contact.shapeB].proxy;
     probe.isPlain = contact.dynamicA && contact.dynamicB && !contact.sensor;
-    probe.isUnseen = contact.sensor;
+    probe.isUnseen = contact.sensor || !(world.bodies[contact.bodyA].awake || world.bodies[contact.bodyB].awake);
     probe.bounces = contact.restitution > 0;
     probe.isBelt = contact.isBelt;
     probe.resistsRolling = contact.resistsRolling;

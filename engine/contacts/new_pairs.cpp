@@ -8,10 +8,13 @@ namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 /// Nobody asks about such a pair before it is near: what kinematic bodies may meet is looked for farther away, and
-/// those that bounce off each other in flight ask for theirs (clash.h).
+/// those that bounce off each other in flight ask for theirs (clash.h). But what was put beside each other asleep is
+/// looked at once.
 bool mayWait(const WorldState& world, const Shape& a, const Shape& b) {
-    return !world.watched && !a.def.sensor && !b.def.sensor && world.bodies[a.body].isDynamic() &&
-           world.bodies[b.body].isDynamic();
+    const Body& bodyA = world.bodies[a.body];
+    const Body& bodyB = world.bodies[b.body];
+    return !world.watched && !a.def.sensor && !b.def.sensor && bodyA.isDynamic() && bodyB.isDynamic() &&
+           (bodyA.awake || bodyB.awake);
 }
 
 /// Nothing moves here, and yet the two met: something was put there. A kinematic body at rest wakes nobody, but what is
@@ -74,7 +77,11 @@ void addPairs(WorldState& world) {
 }
 
 void releaseMet(WorldState& world) {
-    for (const ContactPair& pair : world.metPairs) { releaseWhatIsMet(world, pair.bodyA, pair.bodyB); }
+    for (const ContactPair& pair : world.metPairs) {
+        const bool isHeld = world.bodies[pair.bodyA].heldIn != kNoIndex || world.bodies[pair.bodyB].heldIn != kNoIndex;
+        world.parked.rested += isHeld ? 0 : 1;  // what is made asleep rests, though no step brought it to rest
+        releaseWhatIsMet(world, pair.bodyA, pair.bodyB);
+    }
     world.metPairs.clear();
 }
 

@@ -66,6 +66,7 @@ bool noticeOther(WorldState& world, ContactProbe& probe) {
     if (probe.state == ContactState::near) {
         noticeTouching(world, contact);
         probe.isIdle = contact.manifold.count == 0 && !contact.sensor;
+        probe.isUnseen = false;
     }
     return contact.isSolid();
 }

@@ -87,7 +87,11 @@ void parkContacts(WorldState& world) {
     parked.impulses.reserve(parked.probes.capacity());
     reserveBoth(world.candidates, parked.candidates);
     std::erase_if(world.probes, [&](ContactProbe& probe) {
-        if (probe.isUnseen || !rests(probe)) { return false; }
+        if (!rests(probe)) { return false; }
+        if (probe.isUnseen) {
+            ++parked.rested;  // comes next, once it was looked at
+            return false;
+        }
         parked.touching += isSolid(world, probe) ? 1 : 0;
         probe.state = ContactState::asleep;
         park(world, probe);

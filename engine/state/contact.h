@@ -117,7 +117,8 @@ struct ContactProbe : ContactPair, TouchTraits {
                               ///< while they are apart nothing changes
     bool isPlain : 1 =
         false;  ///< of dynamic bodies, and no sensor: what follows is all that is asked about it at first
-    bool isUnseen : 1 = false;  ///< of a sensor, and no step looked at it: the first one does, though all may sleep
+    bool isUnseen : 1 = false;  ///< of a sensor, or made of what sleeps, and no step looked at it: the first one does,
+                                ///< though all may sleep: what touches is told, and woken by what becomes of the other
     bool wasKept : 1 = false;   ///< its manifold was, when it was near last: most likely it is again
     bool areUp : 1 = false;     ///< of state `near`: what of both is dynamic was awake, as the stage of contacts began;
                                 ///< not of sensors
