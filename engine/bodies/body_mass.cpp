@@ -73,6 +73,7 @@ void updateMass(WorldState& world, std::uint32_t slot) {
     body.inertia = body.isDynamic() ? total.inertia : 0;
     body.inverseMass = body.mass > 0 ? static_cast<Real>(1 / body.mass) : Real(0);
     world.mostInverseMass = std::max(world.mostInverseMass, body.inverseMass);
+    if (body.inverseMass > 0) { world.leastInverseMass = std::min(world.leastInverseMass, body.inverseMass); }
     resistTurns(world, slot);
     world.travels[slot].boxRoom = 0;
     measure(world, slot);

@@ -253,6 +253,7 @@ bool mayMeetMore(const Clash& clash, std::span<const std::uint32_t> members) {
 void store(Clash& clash) {
     for (Flight& flight : clash.work.flights) {
         endRide(flight);
+        limitSqueezed(flight);
         limitSpeed(flight);
         clash.world.motions[flight.slot] = flight.motion;
         rememberGround(flight, clash.world.bodies[flight.slot]);

@@ -9,6 +9,7 @@
 #include "../contacts/hit_event.h"
 #include "../modes/modes.h"
 #include "../solve/constraint_builder.h"
+#include "../solve/squeezed_bodies.h"
 #include "../state/tolerances.h"
 #include "chain_crossing.h"
 #include "curved_path.h"
@@ -40,6 +41,17 @@ void noteCarrier(Flight& flight, const ContactConstraint& constraint) {
     const auto last = flight.carriers.begin() + flight.carrierCount;
     if (last == flight.carriers.end() || std::any_of(flight.carriers.begin(), last, isSame)) { return; }
     flight.carriers[static_cast<std::size_t>(flight.carrierCount++)] = constraint.normal;
+}
+
+/// The fastest that something kinematic goes where the body met it. @pre its constraints are those of now
+void noteLead(Flight& flight) {
+    const FlightScratch& scratch = *flight.scratch;
+    for (const ContactConstraint& constraint : scratch.constraints) {
+        if (constraint.slotA == kFixedSlot) { continue; }
+        const Vec2 velocity = velocityAt(scratch.states[constraint.slotA], constraint.points[0].anchorA);
+        flight.lead = std::max(flight.lead, length(velocity));
+        if (constraint.restitution > kLivelyRestitution) { flight.bounceLead = flight.lead; }
+    }
 }
 
 /// What was met just now, and along whose normal the path only leads away, however the body turns, is not met again:
@@ -194,6 +206,7 @@ bool resolveHere(Flight& flight) {
         noteCarrier(flight, constraint);
     }
     const bool meetsKinematic = scratch.states.size() > kFlyerSlot + 1;
+    if (meetsKinematic) { noteLead(flight); }
     if (meetsKinematic || flight.ride.body != kNoIndex) { followRide(flight, slides); }
     goAlongCurve(flight, before, toReal(flight.motion.center - center));
     return anyHit;
@@ -235,6 +248,22 @@ void notePose(const Flight& flight) {
                                            .fraction = flight.elapsed / flight.dt});
 }
 
+/// Between something kinematic that comes and something else it has an impact after the other, each of which gives it
+/// speed: those of a step all together give no more than a solve may.
+void limitSqueezed(Flight& flight) {
+    if (!(flight.lead > 0)) { return; }
+    const Body& body = flight.body();
+    const BodyMotion& before = flight.world->motions[flight.slot];
+    const Real fall = length(accelerationOf(*flight.world, body)) * static_cast<Real>(flight.dt);
+    const Real bounce = 2 * flight.bounceLead;
+    cutTo(flight.motion.velocity, mostSqueezedSpeed(length(before.velocity) + fall + bounce, flight.lead));
+    const Real arm = gyrationOf(body);
+    if (!(arm > 0)) { return; }
+    const Real fallOfTurn = std::fabs(angularAccelerationOf(body)) * static_cast<Real>(flight.dt);
+    const Real spun = arm * (std::fabs(before.angularVelocity) + fallOfTurn);
+    cutTo(flight.motion.angularVelocity, mostSqueezedSpeed(spun, flight.lead) / arm);
+}
+
 void limitSpeed(Flight& flight) {
     const Real speed = length(flight.motion.velocity);
     const Real limit = flight.world->settings.maxSpeed;
@@ -267,6 +296,7 @@ void fly(WorldState& world, std::uint32_t slot, double dt, FlightScratch& scratc
     beginCrossings(world, slot, scratch);
     flyThrough(flight);
     endCrossings(scratch);
+    limitSqueezed(flight);
     limitSpeed(flight);
     world.motions[slot] = flight.motion;
     rememberGround(flight, body);

@@ -43,6 +43,8 @@ DVec2 partingWay(const WorldState& world, const FlightObstacle& shapes, Real sep
                  Vec2 normal);
 void notePose(const Flight& flight);
 void limitSpeed(Flight& flight);
+/// As the flight ends, before it is written down.
+void limitSqueezed(Flight& flight);
 /// Whether it gives up the rest of the step, after so many impacts: it may lose no more time than `maxLostTime`.
 bool isExhausted(const Flight& flight, int impacts, LostTimeReason reason);
 /// The rest of the step is lost.

@@ -14,6 +14,7 @@
 #include "adrift_chains.h"
 #include "curved_ground.h"
 #include "energy_guard.h"
+#include "squeezed_bodies.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -194,6 +195,7 @@ void readBodies(WorldState& world, const TiedGroup& group, Real time, Real h) {
     const bool isWatched = openAccounts(world, group);
     if (isWatched) { desk.energyEntries.resize(desk.bodies.size()); }
     keepSpinOfAdrift(world, group);
+    if (isWatched) { limitSqueezed(world, group, time); }
     std::atomic<bool> anyFlung = false;
     const std::size_t count = desk.bodies.size();
     runInHalves(*desk.loops, count / 2, count, kReadGrain, [&](std::size_t begin, std::size_t end) {

@@ -108,7 +108,9 @@ struct Flight {
     int carrierCount = 0;
     TurningRide ride{};
     GroundMetLast metLast{};
-    bool stops = false;  ///< mode `stop`: it stays at its first hit
+    Real lead = 0;        ///< of the fastest of what is kinematic that it met, m/s
+    Real bounceLead = 0;  ///< of that off which it bounced as lively as balls do (`kLivelyRestitution`)
+    bool stops = false;   ///< mode `stop`: it stays at its first hit
 
     const Body& body() const;
     Real threshold() const;  ///< slower approaches do not bounce, m/s

@@ -20,6 +20,15 @@ struct LinkCounts {
     std::uint32_t bouncing = 0;  ///< of these, with restitution
 };
 
+/// What presses an island in a solve (squeezed_bodies.h).
+struct SqueezedIsland {
+    Real lead = 0;            ///< of the fastest ground that it presses on, there, m/s
+    Real speed = 0;           ///< of the fastest of its members before the solve, m/s
+    BodySlot ground = 0;      ///< one that it presses on, and one more; 0: none
+    bool isSqueezed = false;  ///< there are several
+    bool isDriven = false;    ///< by motors or springs
+};
+
 /// Where a group is solved. Several may be at the same time, each at a desk of its own, as long as no body moves in two
 /// of them. What a solve leaves for the whole step stays here until `clearDesk`. Kept for its capacity.
 struct alignas(kCacheLine) SolveDesk {
@@ -32,6 +41,8 @@ struct alignas(kCacheLine) SolveDesk {
     std::vector<BodySlot> standing;           ///< slots of the solve that kinematic bodies have
     RawVector<Vec2> localCenters;             ///< of the bodies of the present solve, by their slot there
     std::vector<std::uint32_t> grounds;       ///< likewise (strained_bodies.h); empty if none is strained
+    std::vector<SqueezedIsland> squeezed;     ///< scratch, by the slot in the world of their root
+    std::vector<std::uint8_t> isLimited;      ///< scratch, by slot of the solve: whether it was slowed down there
     RawVector<EnergyEntry> energyEntries;     ///< likewise, by place in `bodies`
     std::vector<std::uint32_t> energyRoots;   ///< likewise
     std::vector<IslandMotion> islandMotions;  ///< likewise

@@ -91,6 +91,7 @@ struct WorldState : Workers {
     std::uint32_t bulletBodies = 0;
     Real leastWidth = std::numeric_limits<Real>::infinity();  ///< `Body::widest` of what is or was dynamic, or less
     Real mostInverseMass = 0;                                 ///< likewise, 1/kg, or more
+    Real leastInverseMass = std::numeric_limits<Real>::infinity();  ///< likewise, or less; not 0
     std::uint32_t watchedBodies = 0;  ///< with a mode of their own that has work beside sweeps (modes.h)
     std::vector<std::uint32_t>
         unmeasured;  ///< slots of bodies that lost shapes, and are not dynamic: to be measured in the next step
