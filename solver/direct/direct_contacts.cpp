@@ -43,6 +43,8 @@ bool isOpen(const SolverBatch& batch, const ContactConstraint& contact, const Co
 
 /// What comes nearer by more than this part of what it did, after some of them, is not stopped by more.
 constexpr double kLeftOfSqueezed = 1.0 / 8;
+/// Less than this part of a mover's speed is what rounding and dampers leave of it, and comes nearer to nothing.
+constexpr double kLeastOfSqueezed = 1.0 / 64;
 /// What a mover presses through a wedge carries some times the momentum that all would have at its speed; what is
 /// jammed carries thousands of times that.
 constexpr double kMostOfMomentum = 8;
@@ -230,7 +232,8 @@ bool DirectContacts::isSqueezed(const SolverBatch& batch, const DirectSystem& sy
             if (!(led > 0)) { continue; }
             isDriven = true;
             speed = std::max(speed, led);
-            if (!(normal.excess < 0) || system.changedExcess(normal) >= kLeftOfSqueezed * normal.excess) { continue; }
+            const double held = std::min(kLeftOfSqueezed * normal.excess, -kLeastOfSqueezed * led);
+            if (!(normal.excess < 0) || system.changedExcess(normal) >= held) { continue; }
             takesLong_[contact.island] = 1;
             part.isInVain = any = true;
         }

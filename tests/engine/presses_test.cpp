@@ -158,5 +158,34 @@ TEST(Presses, DoNotBlowUpWhatTheyRamIntoACorner) {
     }
 }
 
+/// A tower of light and heavy crates by turns, which something kinematic pushes along the floor. Solved all at once,
+/// its search was taken for one in vain, as of something squeezed, where a crate still came nearer to the pusher by a
+/// rounding, and the tower was iterated for a hundred steps. (1570 of 4369 steps were solved so; 2036 are.)
+TEST(Presses, PushTowersThatAreSolvedAllAtOnce) {
+    std::uint64_t searched = 0;
+    std::uint64_t givenUp = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        Random random(seed);
+        World world = makeWorld(Profile::accurate);
+        const double friction = random.range(0.1, 0.9);
+        addStatic(world, box(60, 1), material(friction), {0, -1});
+        BodyDef pusher = bodyAt(BodyType::kinematic, {-2, 1});
+        pusher.velocity = vec(0.2, 0);
+        addBody(world, pusher, box(0.2, 0.9), material(friction));
+        for (int i = 0; i < 4; ++i) {
+            const double density = i % 2 == 0 ? 1 : random.range(10, 300);
+            addBody(world, dynamicAt({-1.2, 0.5 + i}), box(0.5, 0.5), material(friction, 0, density));
+        }
+        for (int i = 0; i < 240; ++i) {
+            run(world, 1);
+            const StepCounters& counters = world.counters();
+            searched += counters.directBodies > 0 && counters.directGivenUp == 0 ? 1 : 0;
+            givenUp += counters.directGivenUp > 0 ? 1 : 0;
+        }
+    }
+    EXPECT_GE(searched, 1700U);
+    expectAtMost("given up", static_cast<double>(givenUp), 22);
+}
+
 }  // namespace
 }  // namespace swept::test
