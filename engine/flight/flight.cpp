@@ -256,12 +256,12 @@ void limitSqueezed(Flight& flight) {
     const BodyMotion& before = flight.world->motions[flight.slot];
     const Real fall = length(accelerationOf(*flight.world, body)) * static_cast<Real>(flight.dt);
     const Real bounce = 2 * flight.bounceLead;
-    cutTo(flight.motion.velocity, mostSqueezedSpeed(length(before.velocity) + fall + bounce, flight.lead));
+    shortenTo(flight.motion.velocity, mostSqueezedSpeed(length(before.velocity) + fall + bounce, flight.lead));
     const Real arm = gyrationOf(body);
     if (!(arm > 0)) { return; }
     const Real fallOfTurn = std::fabs(angularAccelerationOf(body)) * static_cast<Real>(flight.dt);
     const Real spun = arm * (std::fabs(before.angularVelocity) + fallOfTurn);
-    cutTo(flight.motion.angularVelocity, mostSqueezedSpeed(spun, flight.lead) / arm);
+    shortenTo(flight.motion.angularVelocity, mostSqueezedSpeed(spun, flight.lead) / arm);
 }
 
 void limitSpeed(Flight& flight) {

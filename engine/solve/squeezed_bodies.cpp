@@ -15,10 +15,10 @@ namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 /// What is so many times as heavy as what it presses is not moved by it.
-constexpr Real kHeavy = 64;
+constexpr Real kFarHeavier = 64;
 
 /// Or pressed, and is overlapped so far that it was pushed elsewhere.
-bool presses(const Contact& contact) {
+bool bearsOn(const Contact& contact) {
     return contact.totalImpulse[0] + contact.totalImpulse[1] > 0 || deepestSeparation(contact.manifold) < 0;
 }
 
@@ -48,7 +48,7 @@ private:
     /// Whether anything presses, and anybody got on faster than the slowest of that lets him.
     bool mayBeSqueezed() const {
         constexpr Real kNothing = std::numeric_limits<Real>::infinity();
-        Real slowest = kHeavy * world_.leastInverseMass <= world_.mostInverseMass ? Real(0) : kNothing;
+        Real slowest = kFarHeavier * world_.leastInverseMass <= world_.mostInverseMass ? Real(0) : kNothing;
         for (const BodySlot slot : desk_.standing) {
             const BodyState& state = desk_.batch.states[slot];
             if (state.velocity == Vec2{} && state.angularVelocity == 0) { continue; }
@@ -99,7 +99,7 @@ private:
     SqueezedIsland& islandOf(BodySlot slot) const { return islands_[world_.islands.find(desk_.bodies[slot - 1U])]; }
 
     void note(const Contact& contact) {
-        if (!presses(contact)) { return; }
+        if (!bearsOn(contact)) { return; }
         if (contact.dynamicA) { noteGround(contact, contact.bodyA, contact.bodyB); }
         if (contact.dynamicB) { noteGround(contact, contact.bodyB, contact.bodyA); }
     }
@@ -110,7 +110,7 @@ private:
         const BodySlot ground = world_.solverSlots[other];
         const BodyInertia& inertia = desk_.batch.inertias[ground];
         const bool isHeavy = isMovable(inertia);
-        if (isHeavy && !(kHeavy * inertia.inverseMass <= desk_.batch.inertias[slot].inverseMass)) { return; }
+        if (isHeavy && !(kFarHeavier * inertia.inverseMass <= desk_.batch.inertias[slot].inverseMass)) { return; }
         SqueezedIsland& island = islandOf(slot);
         const Real drag = contact.isBelt ? std::fabs(surfaceOf(world_, contact).speed) : Real(0);
         island.lead = std::max(island.lead, drag + (ground == kFixedSlot ? Real(0) : leadOf(other, body)));
@@ -170,11 +170,11 @@ private:
         const Real arm = gyrationOf(body);
         const Real most = mostSqueezedSpeed(island.speed + gainOf(body), island.lead);
         BodyState& state = desk_.batch.states[slot];
-        bool isLimited = cutTo(state.velocity, most);
-        isLimited = cutTo(state.deltaPosition, most * time_) || isLimited;
+        bool isLimited = shortenTo(state.velocity, most);
+        isLimited = shortenTo(state.deltaPosition, most * time_) || isLimited;
         if (arm > 0) {
-            isLimited = cutTo(state.angularVelocity, most / arm) || isLimited;
-            isLimited = cutTo(state.deltaAngle, most / arm * time_) || isLimited;
+            isLimited = shortenTo(state.angularVelocity, most / arm) || isLimited;
+            isLimited = shortenTo(state.deltaAngle, most / arm * time_) || isLimited;
         }
         desk_.isLimited[slot] = isLimited ? 1 : 0;
         isAnyLimited_ = isAnyLimited_ || isLimited;

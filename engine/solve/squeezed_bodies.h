@@ -30,13 +30,13 @@ inline Real gyrationOf(const Body& body) {
 }
 
 /// @return whether it was too long
-inline bool cutTo(Vec2& vector, Real most) {
+inline bool shortenTo(Vec2& vector, Real most) {
     const Real size = length(vector);
     if (!(size > most)) { return false; }
     vector = (most / size) * vector;
     return true;
 }
-inline bool cutTo(Real& number, Real most) {
+inline bool shortenTo(Real& number, Real most) {
     if (!(std::fabs(number) > most)) { return false; }
     number = std::copysign(most, number);
     return true;

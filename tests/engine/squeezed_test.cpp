@@ -16,15 +16,15 @@ namespace swept::test {
 namespace {
 
 /// A wall, solid on the right of its way.
-struct Wall {
+struct RoomWall {
     DVec2 place;
     DVec2 normal;
 };
 
-struct Squeeze {
+struct SqueezeScene {
     World world;
     std::vector<BodyId> bodies;
-    std::vector<Wall> walls;
+    std::vector<RoomWall> walls;
     BodyId pusher{};
     bool isHeavy;      ///< it is dynamic
     Vec2 velocity{};   ///< of the pusher
@@ -32,7 +32,7 @@ struct Squeeze {
     double speed = 0;  ///< of its fastest point, m/s
     int steps = 0;     ///< that it pushes
 
-    Squeeze(Profile profile, bool isPusherHeavy, double gravity)
+    SqueezeScene(Profile profile, bool isPusherHeavy, double gravity)
         : world(makeWorld(profile, gravity)), isHeavy(isPusherHeavy) {}
 
     void addWall(DVec2 place, double angle, double friction) {
@@ -49,7 +49,7 @@ struct Squeeze {
     }
     bool isThrough(BodyId body) const {
         const DVec2 place = world.centerOfMass(body);
-        return std::any_of(walls.begin(), walls.end(), [&](const Wall& wall) {
+        return std::any_of(walls.begin(), walls.end(), [&](const RoomWall& wall) {
             const DVec2 way = place - wall.place;
             return dot(way, wall.normal) < -2 && std::fabs(cross(way, wall.normal)) < 19;
         });
@@ -77,7 +77,7 @@ Polygon someShape(Random& random, double size) {
     return kind == 2 ? capsule(size - round, round) : must(convexHull(points));
 }
 
-void addSome(Squeeze& scene, Random& random, DVec2 place, double size, const ShapeDef& shape) {
+void addSome(SqueezeScene& scene, Random& random, DVec2 place, double size, const ShapeDef& shape) {
     BodyDef def = dynamicAt(place);
     def.angle = random.range(-3, 3);
     scene.bodies.push_back(addBody(scene.world, def, someShape(random, size), shape));
@@ -92,9 +92,9 @@ ShapeDef someMaterial(Random& random) {
 }
 
 /// One to three shapes in a corner of two walls.
-Squeeze cornerOf(Profile profile, bool isHeavy, std::uint64_t seed) {
+SqueezeScene cornerOf(Profile profile, bool isHeavy, std::uint64_t seed) {
     Random random(seed);
-    Squeeze scene(profile, isHeavy, 0);
+    SqueezeScene scene(profile, isHeavy, 0);
     ShapeDef shape = someMaterial(random);
     const double corner = random.range(0.6, 2.8);
     scene.addWall({}, 0.5 * (kPi - corner), static_cast<double>(shape.friction));
@@ -119,9 +119,9 @@ Squeeze cornerOf(Profile profile, bool isHeavy, std::uint64_t seed) {
 }
 
 /// One or two cones of a kilogram between a car and the ground, beside another wall if the car can be stopped.
-Squeeze coneOf(Profile profile, bool isHeavy, std::uint64_t seed) {
+SqueezeScene coneOf(Profile profile, bool isHeavy, std::uint64_t seed) {
     Random random(seed);
-    Squeeze scene(profile, isHeavy, 0);
+    SqueezeScene scene(profile, isHeavy, 0);
     ShapeDef shape = someMaterial(random);
     scene.addWall({}, 0, static_cast<double>(shape.friction));
     if (isHeavy) { scene.addWall({-2.5, 0}, -0.5 * kPi, static_cast<double>(shape.friction)); }
@@ -143,9 +143,9 @@ Squeeze coneOf(Profile profile, bool isHeavy, std::uint64_t seed) {
 }
 
 /// A plate comes down on up to five shapes that lie on the ground, with others of them tied to each other.
-Squeeze pressOf(Profile profile, bool /*isHeavy*/, std::uint64_t seed) {
+SqueezeScene pressOf(Profile profile, bool /*isHeavy*/, std::uint64_t seed) {
     Random random(seed);
-    Squeeze scene(profile, false, kGravity);
+    SqueezeScene scene(profile, false, kGravity);
     ShapeDef shape = someMaterial(random);
     scene.addWall({}, 0, static_cast<double>(shape.friction));
     const int count = random.integer(1, 5);
@@ -168,7 +168,7 @@ Squeeze pressOf(Profile profile, bool /*isHeavy*/, std::uint64_t seed) {
     return scene;
 }
 
-using MakeSqueeze = Squeeze (*)(Profile, bool, std::uint64_t);
+using MakeSqueeze = SqueezeScene (*)(Profile, bool, std::uint64_t);
 
 /// Wherever it gets stuck, however it is freed: nobody is faster than eight times what presses.
 /// @param times  that, and more: a heavy car that hits its corner turns faster than it went, and what was thrown out
@@ -178,7 +178,7 @@ void expectNoneFlungAway(const std::string& name, MakeSqueeze make, bool isHeavy
     for (const Profile profile : kProfiles) {
         double most = 0;
         for (std::uint64_t seed = 0; seed < 120; ++seed) {
-            Squeeze scene = make(profile, isHeavy, seed);
+            SqueezeScene scene = make(profile, isHeavy, seed);
             const double fastest = times * scene.speed + fall;
             const std::string what = name + ", " + profileName(profile) + ", seed " + std::to_string(seed);
             for (int i = 0; i < scene.steps + 30; ++i) {
