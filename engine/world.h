@@ -38,10 +38,9 @@ struct SceneNames;
 /// threads.
 ///
 /// Where memory runs out, `std::bad_alloc` comes through (in a loop that other threads share, and in a library without
-/// exceptions, it ends the program). A call that
-/// was to make a body, shape, chain or joint has made nothing then, and with the default broadphase the world can be
-/// used on. After any other call, step and assignment included, it may only be assigned to, by a snapshot for example,
-/// loaded into, or destroyed. But for `load`, which has changed nothing then.
+/// exceptions, it ends the program). A call that was to make a body, shape, chain or joint has made nothing then, and
+/// with the default broadphase the world can be used on; `load` has changed nothing. After any other call, step and
+/// assignment included, it may only be assigned to, by a snapshot for example, loaded into, or destroyed.
 class World {
 public:
     World();

@@ -7,6 +7,7 @@
 #include <swept/shapes/hull.h>
 
 #include "../support/random.h"
+#include "../support/some_of.h"
 #include "joint_support.h"
 
 /// What something kinematic, or far heavier, presses to other ground gets out of its way no faster than some times its
@@ -177,7 +178,7 @@ using MakeSqueeze = SqueezeScene (*)(Profile, bool, std::uint64_t);
 void expectNoneFlungAway(const std::string& name, MakeSqueeze make, bool isHeavy, double times, double fall = 0) {
     for (const Profile profile : kProfiles) {
         double most = 0;
-        for (std::uint64_t seed = 0; seed < 120; ++seed) {
+        for (std::uint64_t seed = 0; seed < someOf(120U); ++seed) {
             SqueezeScene scene = make(profile, isHeavy, seed);
             const double fastest = times * scene.speed + fall;
             const std::string what = name + ", " + profileName(profile) + ", seed " + std::to_string(seed);
