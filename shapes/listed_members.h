@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tuple>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -20,10 +20,28 @@ constexpr LeftOut<T> leftOut(T& member) {
     return {member};
 }
 
-/// References to members, and what is left out.
+template <std::size_t kPlace, class T>
+struct ListedMember {
+    T member;
+};
+template <class Places, class... Members>
+struct ListedAt;
+template <std::size_t... kPlaces, class... Members>
+struct ListedAt<std::index_sequence<kPlaces...>, Members...> : ListedMember<kPlaces, Members>... {
+    static constexpr std::size_t kCount = sizeof...(Members);
+
+    /// @return what `take` makes of all of them
+    template <class Take>
+    constexpr decltype(auto) giveTo(Take&& take) {
+        return take(static_cast<ListedMember<kPlaces, Members>&>(*this).member...);
+    }
+};
+/// References to members, and what is left out. (Of a tuple of a hundred compilers make a hundred tuples.)
 template <class... Members>
-constexpr std::tuple<Members...> listed(Members&&... members) {
-    return {std::forward<Members>(members)...};
+using Listed = ListedAt<std::index_sequence_for<Members...>, Members...>;
+template <class... Members>
+constexpr Listed<Members...> listed(Members&&... members) {
+    return {{std::forward<Members>(members)}...};
 }
 
 template <class Base, class T>

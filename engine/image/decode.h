@@ -8,7 +8,6 @@
 #include <cstring>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -32,7 +31,7 @@ public:
     template <class T>
     void take(T& value) {
         if constexpr (!kLayout<T>.isFixed) {
-            std::apply([this](auto&&... members) { (this->take(members), ...); }, membersOf(value));
+            membersOf(value).giveTo([this](auto&... members) { (this->take(members), ...); });
         } else if (hasLeft(kLayout<T>.bytes)) {
             takeFixed(value);
         }
@@ -86,7 +85,7 @@ private:
         if constexpr (Number<T>) {
             takeNumber(value);
         } else {
-            std::apply([this](auto&&... members) { (this->takeFixed(members), ...); }, membersOf(value));
+            membersOf(value).giveTo([this](auto&... members) { (this->takeFixed(members), ...); });
         }
     }
     template <class T, std::size_t kCount>

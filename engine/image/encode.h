@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
-#include <tuple>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -47,7 +46,7 @@ std::size_t encodedSize(const T& value) {
     if constexpr (kLayout<T>.isFixed) {
         return kLayout<T>.bytes;
     } else {
-        return std::apply([](const auto&... members) { return (encodedSize(members) + ...); }, membersOf(value));
+        return membersOf(value).giveTo([](const auto&... members) { return (encodedSize(members) + ...); });
     }
 }
 
@@ -61,7 +60,7 @@ public:
         if constexpr (Number<T>) {
             putNumber(value);
         } else {
-            std::apply([this](const auto&... members) { (this->put(members), ...); }, membersOf(value));
+            membersOf(value).giveTo([this](const auto&... members) { (this->put(members), ...); });
         }
     }
     template <class T, std::size_t kCount>

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -177,8 +176,8 @@ struct LayoutOf<FlagsIn<T>> {
 /// All else consists of members.
 template <class T>
 struct LayoutOf {
-    template <class... Members>
-    static consteval Layout makeOf(const std::tuple<Members...>*) {
+    template <class Places, class... Members>
+    static consteval Layout makeOf(const ListedAt<Places, Members...>*) {
         Layout layout = layoutOfKind(PartKind::members, sizeof...(Members));
         (layout.add(kLayout<std::remove_cvref_t<Members>>), ...);
         // What is tied stands in this order, and without gaps if all of it has room for nothing else.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <tuple>
 #include <type_traits>
 
 #include "../state/world_state.h"
@@ -76,8 +75,7 @@ constexpr auto allMembers(T& w) {
                w.contactEvents, w.eventsToCome, w.eventsBetween, leftOut(w.eventPlaces), leftOut(w.sortedEvents),
                w.jointBreaks, w.bodiesPutBack, w.lostTime, w.impactPoses, w.counters, w.stageTimes, w.forcesGiven,
                w.pushedAsleep, w.steps, w.lastDt, w.closingTime, w.closingStretch, w.recentSteps, w.wokenBySteps);
-    static_assert(areAllListed<WorldState>(1 + std::tuple_size_v<std::remove_const_t<decltype(all)>>),
-                  "the one more is the base, `Workers`");
+    static_assert(areAllListed<WorldState>(1 + decltype(all)::kCount), "the one more is the base, `Workers`");
     return all;
 }
 

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -29,7 +28,7 @@ namespace swept::test {
 namespace {
 
 /// What stands in a class for a member that was listed.
-template <class Listed>
+template <class Member>
 struct StandsFor;
 template <class T>
 struct StandsFor<T&> {
@@ -45,10 +44,11 @@ constexpr std::size_t roundedUp(std::size_t size, std::size_t alignment) {
 }
 
 /// Where members end that stand one after the other. @param begin  of the first
-template <class... Listed>
-constexpr std::size_t endOf(std::size_t begin, const std::tuple<Listed...>*) {
+template <class Places, class... Members>
+constexpr std::size_t endOf(std::size_t begin, const ListedAt<Places, Members...>*) {
     std::size_t end = begin;
-    ((end = roundedUp(end, alignof(typename StandsFor<Listed>::Type)) + sizeof(typename StandsFor<Listed>::Type)), ...);
+    ((end = roundedUp(end, alignof(typename StandsFor<Members>::Type)) + sizeof(typename StandsFor<Members>::Type)),
+     ...);
     return end;
 }
 
