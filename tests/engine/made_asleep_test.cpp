@@ -16,7 +16,7 @@ struct Pile {
     World world;
     BodyId level{};
     ShapeId floor{};
-    std::vector<BodyId> boxes;
+    std::vector<BodyId> boxes{};
 };
 
 /// A stack of boxes of 1 m on the floor. @param afterwards  it is made elsewhere, awake, and put to sleep in its place
