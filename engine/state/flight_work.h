@@ -109,7 +109,7 @@ struct Flight {
     TurningRide ride{};
     GroundMetLast metLast{};
     Real lead = 0;        ///< of the fastest of what is kinematic that it met, m/s
-    Real bounceLead = 0;  ///< of that off which it bounced as lively as balls do (`kLivelyRestitution`)
+    Real bounceGain = 0;  ///< the most that it got by bouncing off such things as lively as balls do, m/s
     bool stops = false;   ///< mode `stop`: it stays at its first hit
 
     const Body& body() const;

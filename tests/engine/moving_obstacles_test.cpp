@@ -101,12 +101,14 @@ TEST(MovingObstacles, PlatesCloseOnABall) {
         }
         const BodyId ball = addBody(world, dynamicAt({0.3, 0}, vec(speed, 0)), circle(0.2), material(0, 1));
         double lost = 0;
+        double strikes = 0;
         int held = 0;
         bool crowded = false;  // from the first step on with more bounces than its budget is sure to hold
         for (int i = 0; i < 90; ++i) {
             must(world.step(kStep));
             ASSERT_TRUE(std::isfinite(world.position(ball).x) && std::isfinite(velocityOf(world, ball).x));
             ASSERT_LE(world.counters().impacts, 300U);
+            strikes += static_cast<double>(world.counters().impacts);
             const double gap = world.position(plates[1]).x - world.position(plates[0]).x;
             for (const LostTimeEntry& entry : world.lostTime()) {
                 lost += entry.seconds;
@@ -119,6 +121,9 @@ TEST(MovingObstacles, PlatesCloseOnABall) {
             if (!crowded) {
                 ASSERT_LT(std::abs(world.position(ball).x), 0.5 * gap) << speed << " m/s, gap " << gap;
                 ASSERT_EQ(lost, 0) << speed << " m/s, gap " << gap;
+                ASSERT_NEAR(std::abs(velocityOf(world, ball).x), speed + 10 * strikes,
+                            1e-4 * (1 + speed + 10 * strikes))
+                    << "each strike of a plate gives twice its speed, gap " << gap;
             }
         }
         EXPECT_GT(lost, 0) << "there was no room left: it must say so";
