@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds everything and runs the tests with the default compiler, both precisions.
+# Builds everything and runs the tests with the default compiler, both precisions (the engine's longest suites in f32).
 #   tools/test.sh [--sanitizers] [--long] [--werror]
 # --sanitizers adds the same tests by clang 14: those labelled quick with the address and undefined behaviour sanitizers,
 # those labelled parallel with thread sanitizer. `.ci/run` does so for every change.

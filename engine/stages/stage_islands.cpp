@@ -330,6 +330,7 @@ void advanceAtOnce(WorldState& world, double dt) {
 }
 
 void advanceInTurn(WorldState& world, double dt) {
+    if (world.desks.empty()) { world.desks.emplace_back(); }
     IslandDesk& desk = world.desks[0];
     desk.loops = world.loops;
     for (const std::uint32_t island : world.fastIslands.waiting) {

@@ -14,6 +14,7 @@
 #include "../../solver/graph/island_finder.h"
 #include "../contact_filter.h"
 #include "../containers/pair_table.h"
+#include "../containers/scratch.h"
 #include "../containers/slot_pool.h"
 #include "../counters.h"
 #include "../events.h"
@@ -80,7 +81,7 @@ struct WorldState : Workers {
     std::vector<std::uint32_t> stepped;       ///< those of the last step, before it put any to sleep
     std::vector<std::uint8_t> chainSegments;  ///< by shape slot: `Shape::isChainSegment`, while it is alive
     std::vector<MassProperties> shapeMasses;  ///< by shape slot: of those of dynamic bodies
-    std::vector<MassProperties> massParts;    ///< scratch of `updateMass`
+    Scratch<std::vector<MassProperties>> massParts;  ///< scratch of `updateMass`
     std::uint32_t sensorShapes = 0;
     std::uint32_t bouncyShapes = 0;   ///< with restitution: without any, nothing bounces
     std::uint32_t rollingShapes = 0;  ///< with rolling resistance
@@ -100,30 +101,30 @@ struct WorldState : Workers {
 
     OwnedBroadphase broadphase = makeBroadphase(BroadphaseKind::automatic);
     std::vector<std::uint32_t> proxyShapes;  ///< shape slot by proxy
-    std::vector<ProxyPair> newPairs;
-    std::vector<NewPair> newPairKinds;  ///< by new pair: what each is by itself
-    std::vector<ContactPair> metPairs;  ///< of these, what met where nothing moves
+    Scratch<std::vector<ProxyPair>> newPairs;
+    Scratch<std::vector<NewPair>> newPairKinds;  ///< by new pair: what each is by itself
+    Scratch<std::vector<ContactPair>> metPairs;  ///< of these, what met where nothing moves
 
-    RawVector<Contact> contacts;             ///< in the order in which they began, with gaps where some ended
-    std::vector<ContactProbe> probes;        ///< one for each contact that is not parked, by which it is reached
-    std::vector<ContactProbe*> probesThere;  ///< scratch of `closeGaps`: by place of a contact
+    RawVector<Contact> contacts;       ///< in the order in which they began, with gaps where some ended
+    std::vector<ContactProbe> probes;  ///< one for each contact that is not parked, by which it is reached
+    Scratch<std::vector<ContactProbe*>> probesThere;  ///< scratch of `closeGaps`: by place of a contact
     ParkedContacts parked;
     PairsOfShapes pairsOfShapes;
     std::vector<ContactPair> candidates;  ///< pairs of dynamic bodies that were never near enough to become contacts
-    std::vector<CandidateFate> candidateFates;      ///< by candidate, of this step
-    std::vector<ContactPair> promoted;              ///< scratch: candidates that become contacts
-    ContactLists lists;                             ///< of this step
-    std::vector<BodyGlance> glances;                ///< by body slot
-    std::vector<BodyTravel> travels;                ///< by body slot
-    Stirs stirs;                                    ///< what something heavy is about to strike (stirred.h)
-    std::vector<Aabb> neededBoxes;                  ///< by proxy: `neededBox` as of this step, or more
-    std::vector<std::uint32_t> firstGroundContact;  ///< by body slot: see dropGhosts
-    std::vector<std::uint32_t> nextGroundContact;   ///< by contact
-    std::vector<Slide> slides;                      ///< by contact, of this step, until ghosts are dropped
-    PairTable pairs;                                ///< of shape slots that have a contact
-    std::vector<ContactPair> droppedPairs;          ///< scratch: of these, some to be dropped together
-    RawVector<TouchingPair> touching;               ///< in order of the probes; of this step, until the solve
-    HemmedPairs hemmed;                             ///< likewise
+    Scratch<std::vector<CandidateFate>> candidateFates;  ///< by candidate, of this step
+    Scratch<std::vector<ContactPair>> promoted;          ///< scratch: candidates that become contacts
+    ContactLists lists;                                  ///< of this step
+    std::vector<BodyGlance> glances;                     ///< by body slot
+    std::vector<BodyTravel> travels;                     ///< by body slot
+    Stirs stirs;                                         ///< what something heavy is about to strike (stirred.h)
+    std::vector<Aabb> neededBoxes;                       ///< by proxy: `neededBox` as of this step, or more
+    std::vector<std::uint32_t> firstGroundContact;       ///< by body slot: see dropGhosts
+    std::vector<std::uint32_t> nextGroundContact;        ///< by contact
+    Scratch<std::vector<Slide>> slides;                  ///< by contact, of this step, until ghosts are dropped
+    PairTable pairs;                                     ///< of shape slots that have a contact
+    Scratch<std::vector<ContactPair>> droppedPairs;      ///< scratch: of these, some to be dropped together
+    Scratch<RawVector<TouchingPair>> touching;           ///< in order of the probes; of this step, until the solve
+    HemmedPairs hemmed;                                  ///< likewise
     SleepingPairs sleepingPairs;
     std::vector<ChainPasser> chainPassers;     ///< of this step, in order
     std::vector<ChainPasser> crossed;          ///< in which sweeps of the last one ended, in order; none is stale
@@ -132,12 +133,12 @@ struct WorldState : Workers {
     RawVector<std::uint32_t>
         tied;  ///< slots of bodies whose role was `solved` when roles were given, in order of waking
 
-    RawVector<std::uint32_t> tiedRoots;     ///< by place in `tied`: the root of its island
-    std::vector<std::uint32_t> tiedJoints;  ///< of the present solve
-    RawVector<std::uint8_t> answers;        ///< scratch of `forEachMeant`
+    RawVector<std::uint32_t> tiedRoots;              ///< by place in `tied`: the root of its island
+    Scratch<std::vector<std::uint32_t>> tiedJoints;  ///< of the present solve
+    Scratch<RawVector<std::uint8_t>> answers;        ///< scratch of `forEachMeant`
     FastIslands fastIslands;
-    SolveDesk mainDesk;  ///< of what no island advances: what it keeps is mostly that of the step before
-    std::deque<IslandDesk> desks = std::deque<IslandDesk>(1);  ///< of islands that advance, one per worker
+    Scratch<SolveDesk> mainDesk;  ///< of what no island advances: what it keeps is mostly that of the step before
+    Scratch<std::deque<IslandDesk>> desks;  ///< of islands that advance, one per worker
     IslandFinder islands;
     std::vector<EnergyAccount> energyAccounts;     ///< by root: of the last solve that it was part of
     CopiedAtomic<std::uint64_t> energySolves = 0;  ///< so far: each has its number
@@ -145,8 +146,8 @@ struct WorldState : Workers {
     std::vector<IslandLoad> islandLoads;           ///< by root, of this step
     std::vector<BodyLoad> bodyLoads;               ///< by place in `tied`, likewise, of whom `blockLoads` leaves out
     std::vector<BlockLoad> blockLoads;             ///< likewise
-    std::vector<IslandContacts> islandContacts;    ///< of this step
-    std::vector<Effort> tiedEfforts;               ///< by place in `tied`: as they were given to the bodies
+    Scratch<std::vector<IslandContacts>> islandContacts;  ///< of this step
+    std::vector<Effort> tiedEfforts;                      ///< by place in `tied`: as they were given to the bodies
     JointChains jointChains;
     std::vector<std::uint8_t> islandHangs;  ///< by root: nothing in it moves (settled.cpp)
     std::vector<Pull> islandPulls;          ///< by slot: what is left of pulls and impulses of a step
@@ -164,16 +165,16 @@ struct WorldState : Workers {
     bool watched = false;   ///< this step: some body has such a mode (modes.h)
     bool anyFast = false;   ///< this step: some awake body is, or is a flyer or a bullet
     bool anyFlung = false;  ///< the solver may have moved some body as far as only a fast one moves
-    BulletWork bulletWork;
+    Scratch<BulletWork> bulletWork;
     BodyPlaces bodyPlaces;
-    std::vector<FlightScratch> flightScratch;  ///< one per worker
-    std::vector<ClashScratch> clashScratch;    ///< likewise
+    Scratch<std::vector<FlightScratch>> flightScratch;  ///< one per worker
+    Scratch<std::vector<ClashScratch>> clashScratch;    ///< likewise
 
     std::vector<ContactEvent> contactEvents;  ///< of the last step
     std::vector<ContactEvent> eventsToCome;   ///< what ended by calls since: the next step begins with them
     std::size_t eventsBetween = 0;            ///< of `contactEvents`, at the front: such ones
     EventPlaces eventPlaces;
-    std::vector<ContactEvent> sortedEvents;  ///< scratch of `sortEvents`
+    Scratch<std::vector<ContactEvent>> sortedEvents;  ///< scratch of `sortEvents`
     std::vector<JointBreakEvent> jointBreaks;
     std::vector<BodyId> bodiesPutBack;
     std::vector<LostTimeEntry> lostTime;

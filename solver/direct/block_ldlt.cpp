@@ -7,7 +7,7 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-constexpr std::uint32_t kNotYet = ~std::uint32_t{0};  // position of what is not eliminated
+constexpr std::uint32_t kNotEliminated = ~std::uint32_t{0};  // position of what is not eliminated
 
 /// L·D·Lᵀ of a symmetric block, in place: D on the diagonal, L below it. Only the lower half is read.
 void factoriseBlock(Block33& m) {
@@ -78,7 +78,7 @@ bool BlockLdlt::analyse(std::span<const NodeRange> parts, std::span<const BlockE
         addUnique(neighbours_[edge.a], edge.b);
         addUnique(neighbours_[edge.b], edge.a);
     }
-    position_.assign(nodes, kNotYet);
+    position_.assign(nodes, kNotEliminated);
     begins_.assign(1, 0);
     rows_.clear();
     fits_ = std::all_of(parts.begin(), parts.end(),
@@ -100,7 +100,7 @@ bool BlockLdlt::order(NodeRange part, std::size_t mostBlocks) {
         const auto [degree, node] = heap_.back();
         heap_.pop_back();
         // Entries are not updated but added anew: those of an older degree are passed over.
-        if (position_[node] != kNotYet || degree != neighbours_[node].size()) { continue; }
+        if (position_[node] != kNotEliminated || degree != neighbours_[node].size()) { continue; }
         position_[node] = next++;
         rows_.insert(rows_.end(), neighbours_[node].begin(), neighbours_[node].end());
         begins_.push_back(static_cast<std::uint32_t>(rows_.size()));

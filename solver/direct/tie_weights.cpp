@@ -5,16 +5,16 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-constexpr double kNotYet = -1;
+constexpr double kNotWeighed = -1;
 
 }  // namespace
 
 void TieWeights::find(std::span<const Member> members, std::span<const Link> links) {
     listNeighbours(members.size(), links);
     places_.resize(members.size());
-    inertias_.assign(members.size(), kNotYet);
+    inertias_.assign(members.size(), kNotWeighed);
     for (std::uint32_t i = 0; i < members.size(); ++i) {
-        if (inertias_[i] == kNotYet) { weighTie(members, i); }
+        if (inertias_[i] == kNotWeighed) { weighTie(members, i); }
     }
 }
 
@@ -49,7 +49,7 @@ void TieWeights::weighTie(std::span<const Member> members, std::uint32_t first) 
         square += members[member].mass * dot(place, place);
         for (std::uint32_t k = begins_[member]; k < begins_[member + 1]; ++k) {
             const Neighbour& neighbour = neighbours_[k];
-            if (inertias_[neighbour.member] != kNotYet) { continue; }
+            if (inertias_[neighbour.member] != kNotWeighed) { continue; }
             inertias_[neighbour.member] = 0;
             places_[neighbour.member] = place + neighbour.offset;
             tie_.push_back(neighbour.member);

@@ -11,9 +11,9 @@
 namespace swept::test {
 namespace {
 
-using Pair = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
+using EventPair = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
 
-Pair pairOf(const ContactEvent& e) {
+EventPair pairOf(const ContactEvent& e) {
     return {e.shapeA.index, e.shapeA.generation, e.shapeB.index, e.shapeB.generation};
 }
 
@@ -38,7 +38,7 @@ public:
     int ends() const { return ends_; }
 
 private:
-    std::set<Pair> touching_;
+    std::set<EventPair> touching_;
     int begins_ = 0;
     int ends_ = 0;
 };

@@ -21,9 +21,9 @@ struct Piece {
     Real extent;
 };
 
-using Pair = std::pair<std::uint32_t, std::uint32_t>;
+using ShapePair = std::pair<std::uint32_t, std::uint32_t>;
 
-Pair pairOf(ShapeId a, ShapeId b) { return {std::min(a.index, b.index), std::max(a.index, b.index)}; }
+ShapePair pairOf(ShapeId a, ShapeId b) { return {std::min(a.index, b.index), std::max(a.index, b.index)}; }
 
 Polygon boxAt(double halfX, double halfY, double x, double y) { return must(makeBox(vec(halfX, halfY), vec(x, y))); }
 
@@ -65,9 +65,9 @@ struct Pit {
     }
 
     /// Pairs of dynamic bodies that touch, or nearly do.
-    std::set<Pair> pairsThatTouch() const {
+    std::set<ShapePair> pairsThatTouch() const {
         constexpr double kNear = 1.0 / 512;  // contacts last beyond that
-        std::set<Pair> close;
+        std::set<ShapePair> close;
         for (std::size_t i = 3; i < pieces.size(); ++i) {
             for (std::size_t j = i + 1; j < pieces.size(); ++j) {
                 const Piece& a = pieces[i];
@@ -80,8 +80,8 @@ struct Pit {
         }
         return close;
     }
-    std::set<Pair> pairsFound() const {
-        std::set<Pair> found;
+    std::set<ShapePair> pairsFound() const {
+        std::set<ShapePair> found;
         world.visitContacts([&found](const ContactView& view) { found.insert(pairOf(view.shapeA, view.shapeB)); });
         return found;
     }
@@ -96,10 +96,10 @@ TEST(Travel, NoContactIsMissed) {
     std::size_t notLookedAt = 0;
     for (int step = 0; step < 300; ++step) {
         pit.disturb(step);
-        const std::set<Pair> close = pit.pairsThatTouch();
+        const std::set<ShapePair> close = pit.pairsThatTouch();
         must(pit.world.step(step % 50 < 40 ? kStep : kStep / 3));
-        const std::set<Pair> found = pit.pairsFound();
-        for (const Pair& pair : close) {
+        const std::set<ShapePair> found = pit.pairsFound();
+        for (const ShapePair& pair : close) {
             EXPECT_TRUE(found.contains(pair)) << "step " << step << ", shapes " << pair.first << " and " << pair.second;
         }
         if (HasFailure()) { return; }
@@ -151,7 +151,7 @@ TEST(Travel, KeptManifoldsAreThoseOfNow) {
     for (int step = 0; step < 200; ++step) {
         const std::vector<WorldTransform> poses = pyramid.poses();
         must(pyramid.world.step(kStep));
-        std::map<Pair, std::vector<ContactView>> contacts;
+        std::map<ShapePair, std::vector<ContactView>> contacts;
         pyramid.world.visitContacts(
             [&](const ContactView& view) { contacts[pairOf(view.shapeA, view.shapeB)].push_back(view); });
         for (const auto& [pair, views] : contacts) {

@@ -6,7 +6,7 @@
 #   SWEPT_SIMD                where it is built from sources, with all else that makes that fast
 #   PAGE                      a markdown file: each of its C++ blocks is a program, which must print what its comments
 #                             `// prints: ...` say, if it has any
-#   PRECOMPILED               a header that each program of the page includes, read once for all
+#   TOGETHER                  all programs of the page as one, which is given their number: less than half of the work
 #   MISMATCH                  the link must fail, for want of names of the other precision
 file(REMOVE_RECURSE ${WORK_DIR})
 
@@ -28,6 +28,28 @@ function(split_off text begin end result)
     set(${text} "${rest}" PARENT_SCOPE)
 endfunction()
 
+# add_together(PROGRAM NUMBER): into a namespace of its own, with its headers before all else. Only main functions may end
+# without a value.
+set(together_headers "#include <cstdlib>\n")
+set(together "")
+set(together_calls "")
+function(add_together program number)
+    string(REGEX MATCHALL "#include [^\n]*\n" headers "${program}")
+    string(REGEX REPLACE "#include [^\n]*\n" "" program "${program}")
+    string(FIND "${program}" "int main() {\n" at)
+    if(at EQUAL -1)
+        message(FATAL_ERROR "program ${number} of ${PAGE} has no main function")
+    endif()
+    string(SUBSTRING "${program}" 0 ${at} before)
+    split_off(program "int main() {\n" "\n}\n" main)
+    string(APPEND together_headers ${headers})
+    string(APPEND together "namespace program_${number} {\n${before}int run() {\n${main}\n    return 0;${program}}\n")
+    string(APPEND together_calls "        case ${number}: return program_${number}::run();\n")
+    foreach(text together_headers together together_calls)
+        set(${text} "${${text}}" PARENT_SCOPE)
+    endforeach()
+endfunction()
+
 set(programs consumer)
 if(PAGE)
     set(MAIN "")
@@ -35,16 +57,17 @@ if(PAGE)
     file(READ ${PAGE} page)
     split_off(page "```cpp\n" "```" program)
     while(NOT program STREQUAL NOTFOUND)
-        list(LENGTH MAIN count)
+        list(LENGTH programs count)
         set(name consumer)
         if(count GREATER 0)
             set(name consumer_${count})
         endif()
-        file(WRITE ${WORK_DIR}/${name}.cpp "${program}")
-        if(PRECOMPILED AND NOT program MATCHES "#include ${PRECOMPILED}\n")
-            message(FATAL_ERROR "a program of ${PAGE} does not include ${PRECOMPILED}:\n${program}")
+        if(TOGETHER)
+            add_together("${program}" ${count})
+        else()
+            file(WRITE ${WORK_DIR}/${name}.cpp "${program}")
+            list(APPEND MAIN ${WORK_DIR}/${name}.cpp)
         endif()
-        list(APPEND MAIN ${WORK_DIR}/${name}.cpp)
         list(APPEND programs ${name})
         set(prints_${name} "")
         split_off(program "// prints: " "\n" line)
@@ -54,8 +77,17 @@ if(PAGE)
         endwhile()
         split_off(page "```cpp\n" "```" program)
     endwhile()
-    if(NOT MAIN)
+    if(NOT programs)
         message(FATAL_ERROR "${PAGE} has no C++ block")
+    endif()
+    if(TOGETHER)
+        file(WRITE ${WORK_DIR}/consumer.cpp "${together_headers}${together}int main(int, char** arguments) {
+    switch (std::atoi(arguments[1])) {
+${together_calls}    }
+    return 1;
+}
+")
+        set(MAIN ${WORK_DIR}/consumer.cpp)
     endif()
 endif()
 
@@ -66,7 +98,6 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR} -G ${GE
                         -DONLY_LAYERS=${ONLY_LAYERS} -DMISMATCH=${MISMATCH} "-DMAIN=${MAIN}"
                         -DCOMPONENTS=${COMPONENTS} -DSWEPT_SIMD=${SWEPT_SIMD}
                         -DSWEPT_SIMD_FEW=ON -DSWEPT_UNITY=ON -DSWEPT_PRECOMPILE=ON
-                        "-DPRECOMPILED=${PRECOMPILED}"
                 OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
     message(FATAL_ERROR "configuring the project failed:\n${output}")
@@ -86,8 +117,14 @@ if(NOT result EQUAL 0)
     message(FATAL_ERROR "building the project failed:\n${output}")
 endif()
 
+set(number 0)
 foreach(name IN LISTS programs)
-    execute_process(COMMAND ${WORK_DIR}/${name} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
+    set(command ${WORK_DIR}/${name})
+    if(TOGETHER)
+        set(command ${WORK_DIR}/consumer ${number})
+    endif()
+    math(EXPR number "${number} + 1")
+    execute_process(COMMAND ${command} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
     if(NOT result EQUAL 0)
         message(FATAL_ERROR "the program ${name} ended with ${result}:\n${output}")
     endif()

@@ -10,7 +10,7 @@
 namespace swept::test {
 namespace {
 
-const double kPi = std::acos(-1.0);
+const double kHalfTurn = std::acos(-1.0);
 
 TEST(Revolute, PendulumKeepsItsPivotAndItsPeriod) {
     JointScene scene;
@@ -112,7 +112,7 @@ TEST(Revolute, SpringSwingsAtItsFrequencyAndDamping) {
     for (const double hertz : {0.5, 1.0, 3.0}) {
         for (const double zeta : {0.0, 0.05}) {
             JointScene scene;
-            const double omega = 2 * kPi * hertz;
+            const double omega = 2 * kHalfTurn * hertz;
             SceneBody bar = bodyAt(0, 0, 1, 0.3);
             bar.angle = 0.4;
             RevoluteConstraint& joint = scene.addRevolute(kFixedSlot, scene.addBody(bar), {});

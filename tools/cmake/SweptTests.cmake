@@ -80,12 +80,12 @@ endforeach()
     set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${labels_file})
 endfunction()
 
-# swept_add_layer_test(NAME [HAS_ORACLE] SOURCES file... [LAYERS layer...] [LIBRARIES target...] [LABELS label...])
+# swept_add_layer_test(NAME [HAS_ORACLE] [LONG_IN_F64] SOURCES file... [LAYERS layer...] [LIBRARIES target...] [LABELS label...])
 # The same suite for both precisions: NAME_f32 and NAME_f64, linked to swept_LAYER_f32 and swept_LAYER_f64. What is
 # quick or parallel in f32 is labelled quick_long or parallel_long in f64: sanitizers see the same sources twice only in the
-# long run.
+# long run. LONG_IN_F64: so does everybody, as it takes long and hardly depends on the precision.
 function(swept_add_layer_test name)
-    cmake_parse_arguments(TEST "HAS_ORACLE" "" "SOURCES;LAYERS;LIBRARIES;LABELS" ${ARGN})
+    cmake_parse_arguments(TEST "HAS_ORACLE;LONG_IN_F64" "" "SOURCES;LAYERS;LIBRARIES;LABELS" ${ARGN})
     set(options "")
     if(TEST_HAS_ORACLE)
         set(options HAS_ORACLE)
@@ -98,6 +98,9 @@ function(swept_add_layer_test name)
         set(labels ${TEST_LABELS})
         if(precision STREQUAL f64)
             list(TRANSFORM labels REPLACE "^(quick|parallel)$" "\\1_long")
+            if(TEST_LONG_IN_F64)
+                list(APPEND labels long)
+            endif()
         endif()
         swept_add_test(${name}_${precision} ${options} SOURCES ${TEST_SOURCES} LIBRARIES ${libraries} LABELS ${labels})
     endforeach()
