@@ -124,6 +124,9 @@ public:
     /// Of the centre of mass, m/s, and rad/s; wakes the body. Errors: `wrongBodyType` of static bodies; `outOfRange`
     /// with "angularVelocity" where rotation is fixed.
     Status setVelocity(BodyId id, Vec2 velocity, Real angularVelocity);
+    // Of one of the two; the other stays as it is.
+    Status setVelocity(BodyId id, Vec2 velocity) { return setVelocity(id, velocity, angularVelocity(id)); }
+    Status setAngularVelocity(BodyId id, Real speed) { return setVelocity(id, velocity(id), speed); }
     /// Gives a kinematic body the velocities that take its origin to `position` (world, metres) and turn it to `angle`
     /// (rad) in a step of `dt` seconds; they stay until others are given. Errors: `wrongBodyType` of others;
     /// `notPositive` dt; `outOfRange` with "position" or "angle" where that is farther than a body may be fast; as of

@@ -30,6 +30,23 @@ TEST(Calls, VelocityOfAPoint) {
     EXPECT_EQ(world.velocityAt({}, {2, 5}), Vec2{});
 }
 
+TEST(Calls, OneVelocityLeavesTheOther) {
+    World world = makeWorld(0);
+    const BodyId body = addBody(world, dynamicAt({2, 3}, vec(4, 5), 6), box(1, 1));
+    must(world.setVelocity(body, vec(-1, 7)));
+    EXPECT_EQ(world.velocity(body), vec(-1, 7));
+    EXPECT_EQ(world.angularVelocity(body), Real(6));
+    must(world.setAngularVelocity(body, 2));
+    EXPECT_EQ(world.velocity(body), vec(-1, 7));
+    EXPECT_EQ(world.angularVelocity(body), Real(2));
+    EXPECT_EQ(world.setVelocity({}, vec(1, 0)).code, StatusCode::staleId);
+    EXPECT_EQ(world.setAngularVelocity({}, 1).code, StatusCode::staleId);
+    const Status nan = world.setAngularVelocity(body, std::numeric_limits<Real>::quiet_NaN());
+    EXPECT_EQ(nan.code, StatusCode::notFinite);
+    EXPECT_STREQ(nan.field, "angularVelocity");
+    EXPECT_EQ(world.angularVelocity(body), Real(2));
+}
+
 /// A lift that is told each step where to be.
 TEST(Calls, KinematicBodiesAreDriven) {
     World world = makeWorld();
