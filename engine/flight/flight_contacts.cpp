@@ -37,7 +37,7 @@ void setBack(Flight& flight, ContactConstraint& contact, const FlightObstacle& o
     const BodyInertia inertia{body.inverseMass, body.inverseInertia};
     BodyMotion& motion = flight.motion;
     const LowPoint first = lowPoint(0);
-    const SetBack back = setBackOf({first, contact.count > 1 ? lowPoint(1) : first}, inertia);
+    const SetBack back = setBackOf({first, contact.count > 1 ? lowPoint(1) : first}, inertia, body.radius);
     const SetBackEnergy energy{.pull = -dot(accelerationOf(*flight.world, body), contact.normal),
                                .velocity = dot(motion.velocity - groundVelocity, contact.normal),
                                .spin = motion.angularVelocity};

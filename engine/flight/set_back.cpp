@@ -6,8 +6,12 @@
 #include "../../solver/contacts/contact_constraint.h"
 
 namespace swept::inline SWEPT_PRECISION {
+namespace {
 
-SetBack setBackOf(const std::array<LowPoint, 2>& points, const BodyInertia& inertia) {
+/// No convex body of one density comes near it: radii are at most twice those of gyration.
+constexpr Real kMostSwing = 4;
+
+SetBack leastOf(const std::array<LowPoint, 2>& points, const BodyInertia& inertia) {
     const LowPoint& one = points[0];
     const LowPoint& two = points[1];
     // By unit mass: responses of the points to an impulse at each.
@@ -25,10 +29,20 @@ SetBack setBackOf(const std::array<LowPoint, 2>& points, const BodyInertia& iner
     return withPushes((own2 * one.depth - shared * two.depth) / rest, (own1 * two.depth - shared * one.depth) / rest);
 }
 
+}  // namespace
+
+SetBack setBackOf(const std::array<LowPoint, 2>& points, const BodyInertia& inertia, Real radius) {
+    const SetBack least = leastOf(points, inertia);
+    const LowPoint& deepest = points[0].depth >= points[1].depth ? points[0] : points[1];
+    const bool isLow = deepest.depth > 0;
+    if (!isLow || !(std::fabs(least.turn) * radius > kMostSwing * deepest.depth)) { return least; }
+    return {.along = deepest.depth, .turn = 0, .arm = deepest.arm};
+}
+
 Real speedLeft(const SetBack& back, const SetBackEnergy& energy, const BodyInertia& inertia) {
     if (!(back.along > 0)) { return 1; }
     // By the way of the centre, so that squares of small lengths do not vanish.
-    const Real turn = back.turn / back.along;
+    const Real turn = back.arm != 0 ? inertia.inverseInertia / inertia.inverseMass * back.arm : back.turn / back.along;
     const Real swing = inertia.inverseInertia > 0 ? inertia.inverseMass / inertia.inverseInertia * turn : Real(0);
     const Real approach = -(energy.velocity + swing * energy.spin);
     const Real work = energy.pull * back.along;

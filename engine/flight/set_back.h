@@ -16,6 +16,7 @@ struct LowPoint {
 struct SetBack {
     Real along = 0;  ///< of the centre along the normal, metres
     Real turn = 0;   ///< radians
+    Real arm = 0;    ///< that the push has whose turn was left out, metres; else 0
 };
 
 /// What a displacement costs, and what pays for it.
@@ -29,7 +30,10 @@ struct SetBackEnergy {
 /// the normal would: of all that do, the least one by the inertia of the body. What a body fell through while nothing
 /// held it is paid back so with the energy that the stop of its fall took, and no more; raised without a turn, a box on
 /// one of its corners would gain height with every step.
-SetBack setBackOf(const std::array<LowPoint, 2>& points, const BodyInertia& inertia);
+/// @param radius  of the body about its centre, metres. No sweep sees what its turn does to the rest of it: where some
+///                point would move many times as far by it as the lower one is deep, as of a heavy head on a long
+///                lever, which turns in place, the body is raised without a turn.
+SetBack setBackOf(const std::array<LowPoint, 2>& points, const BodyInertia& inertia, Real radius);
 
 /// What is left of the speed that the points approach with, as a share, when that has paid for the height that the body
 /// gains. What bounced with the whole of it would gain energy.

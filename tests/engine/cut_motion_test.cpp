@@ -11,15 +11,15 @@
 namespace swept::test {
 namespace {
 
-enum class Change { gravity, torque, damping };
+enum class CutChange { gravity, torque, damping };
 
 /// Two bodies on a slack rope, of which nothing else tells the second that the first one strikes a wall.
 struct SlackPair {
     World world;
     BodyId other;
 
-    SlackPair(Random& random, Change change, Profile profile) {
-        WorldSettings settings = awakeSettings(change == Change::gravity ? 10 : 0);
+    SlackPair(Random& random, CutChange change, Profile profile) {
+        WorldSettings settings = awakeSettings(change == CutChange::gravity ? 10 : 0);
         settings.profile = profile;
         world = makeWorld(settings);
         addStatic(world, box(0.1, 50), material(0), {0, 0});
@@ -28,8 +28,8 @@ struct SlackPair {
         def.angle = random.range(0, 3);
         def.linearDamping = real(random.range(60, 260));
         const BodyId striker = addBody(world, def, box(0.3, 0.05));
-        def = dynamicAt({-away - 10, 0}, vec(0, change == Change::torque ? 0 : 30));
-        def.linearDamping = change == Change::damping ? real(20) : real(0);
+        def = dynamicAt({-away - 10, 0}, vec(0, change == CutChange::torque ? 0 : 30));
+        def.linearDamping = change == CutChange::damping ? real(20) : real(0);
         other = addBody(world, def, circle(0.5));
         DistanceJointDef rope;
         rope.base = between(other, striker);
@@ -46,16 +46,16 @@ TEST(CutMotion, OfWhatNothingHoldsIsThatOfAWholeStep) {
     for (int trial = 0; trial < 150; ++trial) {
         const Profile profile = trial % 2 == 0 ? Profile::accurate : Profile::fast;
         const std::string what = "trial " + std::to_string(trial);
-        SlackPair rising(random, Change::gravity, profile);
+        SlackPair rising(random, CutChange::gravity, profile);
         run(rising.world, 1);
         strikes += static_cast<int>(rising.world.contactEvents().size());
         EXPECT_NEAR(rising.world.velocity(rising.other).y, 30 - 10 * kStep, 1e-3) << what;
-        SlackPair turned(random, Change::torque, profile);
+        SlackPair turned(random, CutChange::torque, profile);
         must(turned.world.applyTorque(turned.other, real(5)));
         run(turned.world, 1);
         const double turn = 5 * kStep / turned.world.inertia(turned.other);
         EXPECT_NEAR(turned.world.angularVelocity(turned.other), turn, 0.005 * turn) << what;
-        SlackPair damped(random, Change::damping, profile);
+        SlackPair damped(random, CutChange::damping, profile);
         run(damped.world, 1);
         EXPECT_NEAR(damped.world.velocity(damped.other).y, 30 * std::exp(-20 * kStep), 0.15) << what;
     }

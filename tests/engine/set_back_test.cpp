@@ -20,7 +20,7 @@ double leftOf(const LowPoint& point, const SetBack& back) {
 /// the end by 1/m + 1²/(m/3) = 4/m.
 TEST(SetBack, OneEndOfARod) {
     const LowPoint end{.arm = 1, .depth = real(0.004)};
-    const SetBack back = setBackOf({end, end}, {.inverseMass = real(1.0 / 3), .inverseInertia = 1});
+    const SetBack back = setBackOf({end, end}, {.inverseMass = real(1.0 / 3), .inverseInertia = 1}, 1);
     EXPECT_NEAR(static_cast<double>(back.along), 0.001, 1e-8);
     EXPECT_NEAR(static_cast<double>(back.turn), 0.003, 1e-8);
 }
@@ -29,10 +29,10 @@ TEST(SetBack, OneEndOfARod) {
 TEST(SetBack, WithoutATurn) {
     const LowPoint left{.arm = -1, .depth = real(0.25)};
     const LowPoint right{.arm = 1, .depth = real(0.25)};
-    const SetBack flush = setBackOf({left, right}, {.inverseMass = 2, .inverseInertia = 5});
+    const SetBack flush = setBackOf({left, right}, {.inverseMass = 2, .inverseInertia = 5}, 1);
     EXPECT_NEAR(static_cast<double>(flush.along), 0.25, 1e-7);
     EXPECT_NEAR(static_cast<double>(flush.turn), 0, 1e-7);
-    const SetBack stiff = setBackOf({left, LowPoint{.arm = 1, .depth = real(0.5)}}, {.inverseMass = 2});
+    const SetBack stiff = setBackOf({left, LowPoint{.arm = 1, .depth = real(0.5)}}, {.inverseMass = 2}, 1);
     EXPECT_EQ(stiff.along, real(0.5));
     EXPECT_EQ(stiff.turn, 0);
 }
@@ -52,7 +52,7 @@ TEST(SetBack, IsTheLeastThatRaisesBothPoints) {
         }
         if (std::abs(armOf(points[0]) - armOf(points[1])) < 0.1) { continue; }  // as good as one
         const SetBack back =
-            setBackOf(points, {.inverseMass = real(1 / mass), .inverseInertia = real(1 / (mass * radius * radius))});
+            setBackOf(points, {.inverseMass = real(1 / mass), .inverseInertia = real(1 / (mass * radius * radius))}, 0);
         const double along = static_cast<double>(back.along);
         const double push = radius * radius * static_cast<double>(back.turn);
         const double second = (push - armOf(points[0]) * along) / (armOf(points[1]) - armOf(points[0]));
@@ -66,10 +66,28 @@ TEST(SetBack, IsTheLeastThatRaisesBothPoints) {
     }
 }
 
+/// A heavy head with a light ball on a lever of fifty times its radius of gyration, on that ball: to raise it by a push
+/// would turn the lever as far as the ball is deep, and a lever that is nearly upright by many times that.
+TEST(SetBack, WithoutATurnThatReachesFar) {
+    const BodyInertia inertia{.inverseMass = 1, .inverseInertia = 2500};
+    const auto backOf = [&](double arm) {
+        const LowPoint ball{.arm = real(arm), .depth = real(0.01)};
+        return setBackOf({ball, ball}, inertia, real(1.25));
+    };
+    const SetBack level = backOf(1);
+    EXPECT_EQ(level.arm, 0);
+    EXPECT_NEAR(static_cast<double>(level.turn), 0.01, 1e-5);
+    const SetBack upright = backOf(0.02);
+    EXPECT_EQ(upright.arm, real(0.02));
+    EXPECT_EQ(upright.turn, 0);
+    EXPECT_EQ(upright.along, real(0.01));
+}
+
 /// An elastic bounce loses as much energy as raising the body by the displacement takes, or all of the approach.
 TEST(SetBack, IsPaidByTheBounce) {
     Random random(5);
     int stopped = 0;
+    int raised = 0;
     for (int i = 0; i < 20'000; ++i) {
         const double mass = std::exp(random.range(-5, 5));
         const double inertia = mass * std::exp(random.range(-4, 2));
@@ -82,7 +100,8 @@ TEST(SetBack, IsPaidByTheBounce) {
         if (approach < 0.01) { continue; }
         const LowPoint point{.arm = real(arm), .depth = real(depth)};
         const BodyInertia inverse{.inverseMass = real(1 / mass), .inverseInertia = real(1 / inertia)};
-        const SetBack back = setBackOf({point, point}, inverse);
+        const SetBack back = setBackOf({point, point}, inverse, real(random.range(0, 3)));
+        raised += back.arm != 0 ? 1 : 0;
         const double left = static_cast<double>(
             speedLeft(back, {.pull = real(pull), .velocity = real(velocity), .spin = real(spin)}, inverse));
         const double ofPoint = 1 / (1 / mass + arm * arm / inertia);
@@ -98,6 +117,7 @@ TEST(SetBack, IsPaidByTheBounce) {
             ++stopped;
         }
     }
+    EXPECT_GT(raised, 100);
     EXPECT_GT(stopped, 1000);
     EXPECT_LT(stopped, 15'000);
 }
