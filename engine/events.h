@@ -57,6 +57,11 @@ struct ContactEvent {
     ShapeId shapeB{};
     BodyId bodyA{};
     BodyId bodyB{};
+    /// Of a chain the segment, from 0 in the order of its points; of other shapes 0. That which was hit, at which
+    /// touching began, or ended: where `point` is, if several did so at once. What slides on from one segment to the
+    /// next tells no event; `World::visitContacts` has those of now.
+    std::uint32_t segmentA = 0;
+    std::uint32_t segmentB = 0;
     double fraction = 0;  ///< of the step, 0 … 1
     /// World; of sensor events half way between the closest points, or the deepest where the two overlap; 0 where the
     /// shapes were apart or gone already.

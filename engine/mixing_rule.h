@@ -50,13 +50,13 @@ Number mixed(MixingRule rule, Number a, Number b) {
     return 0;  // unreachable, but GCC cannot know
 }
 
-/// Of two surfaces that touch: `ShapeDef`, or what has the same members.
-template <class Surface>
-auto mixedFriction(const Surface& a, const Surface& b) {
+/// Of two surfaces that touch: `Surface`, `ShapeDef`, or what has the same members.
+template <class Kind>
+auto mixedFriction(const Kind& a, const Kind& b) {
     return mixed(ruleOfPair(a.frictionMixing, b.frictionMixing, kUsualFriction), a.friction, b.friction);
 }
-template <class Surface>
-auto mixedRestitution(const Surface& a, const Surface& b) {
+template <class Kind>
+auto mixedRestitution(const Kind& a, const Kind& b) {
     return mixed(ruleOfPair(a.restitutionMixing, b.restitutionMixing, kUsualRestitution), a.restitution, b.restitution);
 }
 

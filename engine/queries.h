@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "../shapes/vec2.h"
 #include "ids.h"
 #include "shape_def.h"
@@ -24,9 +26,10 @@ struct CastHit {
     bool hit = false;
     ShapeId shape{};
     BodyId body{};
-    Real fraction = 0;  ///< of the translation, 0 … 1
-    DVec2 point{};      ///< world
-    Vec2 normal{};      ///< unit, outward from the shape that was hit; (0, 0) where a cast or ray starts inside it
+    std::uint32_t segment = 0;  ///< of a chain, from 0 in the order of its points; of other shapes 0
+    Real fraction = 0;          ///< of the translation, 0 … 1
+    DVec2 point{};              ///< world
+    Vec2 normal{};  ///< unit, outward from the shape that was hit; (0, 0) where a cast or ray starts inside it
     /// Of a shape that is cast from inside of it: the shortest translation that takes it out, metres; else (0, 0).
     Vec2 wayOut{};
 
@@ -38,9 +41,10 @@ struct NearestShape {
     bool found = false;
     ShapeId shape{};
     BodyId body{};
-    Real distance = 0;  ///< metres, radii included; negative: how deep they overlap
-    DVec2 point{};      ///< on the surface of the shape, world: that is where it is nearest
-    Vec2 normal{};      ///< unit, outward from the shape there, towards what asks
+    std::uint32_t segment = 0;  ///< as of `CastHit`
+    Real distance = 0;          ///< metres, radii included; negative: how deep they overlap
+    DVec2 point{};              ///< on the surface of the shape, world: that is where it is nearest
+    Vec2 normal{};              ///< unit, outward from the shape there, towards what asks
 
     constexpr explicit operator bool() const { return found; }
 };
@@ -51,6 +55,8 @@ struct ContactView {
     ShapeId shapeB{};
     BodyId bodyA{};
     BodyId bodyB{};
+    std::uint32_t segmentA = 0;  ///< of a chain, from 0 in the order of its points; of other shapes 0
+    std::uint32_t segmentB = 0;
     DVec2 point{};        ///< world, half way between the two surfaces
     Vec2 normal{};        ///< unit, from A to B
     Real separation = 0;  ///< metres along the normal; negative where they overlap

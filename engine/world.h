@@ -13,6 +13,7 @@
 #include "../shapes/status.h"
 #include "../shapes/transform.h"
 #include "body_def.h"
+#include "chain_def.h"
 #include "contact_filter.h"
 #include "counters.h"
 #include "events.h"
@@ -184,16 +185,31 @@ public:
     /// that end) and `outOfRange` (of a loop); of `def` as of addShape.
     Result<ShapeId> addChain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def = {},
                              Real radius = 0, const ChainNeighbours& neighbours = {});
+    /// Likewise, by name, and with a surface for each segment. Errors: also `outOfRange` with "surfaces" where there
+    /// are some, but not as many as segments; of each as of addShape.
+    Result<ShapeId> addChain(BodyId body, const ChainDef& def);
     Status destroyShape(ShapeId id);
     bool isValid(ShapeId id) const;
     BodyId bodyOf(ShapeId id) const;
     std::uint64_t userData(ShapeId id) const;
+    /// Of a chain with the surface of its first segment.
     ShapeDef definition(ShapeId id) const;
     /// Another surface, density, filter, … of the same geometry. Wakes the body, unless `userData` alone is another,
     /// and, with another surface or filter, what it touches; with another filter, or as a sensor or none, its contacts
     /// end, and those that it has then begin. Where there is a contact filter, another `userData` counts as another
-    /// filter. Errors: of `def` as of addShape.
+    /// filter. The segments of a chain keep surfaces of their own unless `def` has another surface than `definition`
+    /// tells: then all have that. Errors: of `def` as of addShape.
     Status redefine(ShapeId id, const ShapeDef& def);
+    /// Segments of a chain, in the order of its points: what has a `segment` names one of them, from 0. Of other shapes
+    /// 1, of a stale id 0.
+    std::uint32_t segmentCount(ShapeId id) const;
+    /// Of a segment of a chain, or of another shape, which has segment 0 alone; the default one where there is none.
+    Surface surface(ShapeId id, std::uint32_t segment = 0) const;
+    /// Of one segment, or of all, one for each. Wakes what touches those that change, and the body, unless `material`
+    /// alone is another; contacts go on. Errors: `outOfRange` with "segment", or "surfaces" where there are not as many
+    /// as segments; of each surface as of addShape.
+    Status setSurface(ShapeId id, std::uint32_t segment, const Surface& surface);
+    Status setSurfaces(ShapeId id, std::span<const Surface> surfaces);
     /// What it is made of, in the frame of its body: one polygon, or the segments of a chain; none of a stale id.
     void visitPolygons(ShapeId id, FunctionRef<void(const Polygon&)> visit) const;
     /// The smallest box around it where it is now, world, rounded outward; of a stale id an empty one at the origin.

@@ -15,8 +15,12 @@ void listPoints(const WorldState& world, const Contact& contact, std::vector<Con
     if (!contact.isSolid()) { return; }
     const WorldTransform& pose = world.motions[contact.bodyA].pose;
     ContactView view;
-    view.shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head);
-    view.shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head);
+    const Shape& a = world.shapes[contact.shapeA];
+    const Shape& b = world.shapes[contact.shapeB];
+    view.shapeA = world.shapes.idOf(a.head);
+    view.shapeB = world.shapes.idOf(b.head);
+    view.segmentA = a.segmentIndex;
+    view.segmentB = b.segmentIndex;
     view.bodyA = world.bodies.idOf(contact.bodyA);
     view.bodyB = world.bodies.idOf(contact.bodyB);
     view.normal = rotate(pose.rotation, contact.manifold.normal);

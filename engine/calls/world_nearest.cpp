@@ -42,7 +42,7 @@ public:
     void offer(std::uint32_t slot) {
         const Shape& shape = world_->shapes[slot];
         const Distance found = distanceTo(*world_, shape, *polygon_, *pose_);
-        if (slot_ != kNoIndex && !(std::tie(found.distance, slot) < std::tie(best_.distance, slot_))) { return; }
+        if (slot_ != kNoIndex && !isBefore(shape, found.distance)) { return; }
         best_ = found;
         slot_ = slot;
     }
@@ -56,12 +56,19 @@ public:
         return {.found = true,
                 .shape = world_->shapes.idOf(shape.head),
                 .body = world_->bodies.idOf(shape.body),
+                .segment = shape.segmentIndex,
                 .distance = best_.distance,
                 .point = apply(frame, best_.pointA),
                 .normal = rotate(frame.rotation, best_.normal)};
     }
 
 private:
+    bool isBefore(const Shape& shape, Real distance) const {
+        const Shape& best = world_->shapes[slot_];
+        return std::tie(distance, shape.head, shape.segmentIndex) <
+               std::tie(best_.distance, best.head, best.segmentIndex);
+    }
+
     const WorldState* world_;
     const Polygon* polygon_;
     const WorldTransform* pose_;

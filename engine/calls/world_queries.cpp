@@ -26,6 +26,7 @@ CastHit rayAgainst(const WorldState& world, const Shape& shape, DVec2 origin, Ve
     hit.hit = true;
     hit.shape = world.shapes.idOf(shape.head);
     hit.body = world.bodies.idOf(shape.body);
+    hit.segment = shape.segmentIndex;
     hit.fraction = local.fraction;
     hit.point = apply(pose, local.point);
     hit.normal = rotate(pose.rotation, local.normal);
@@ -53,14 +54,15 @@ bool isGood(DVec2 origin, Vec2 translation) {
 /// What a query meets of one shape, or one segment of a chain.
 struct Met {
     CastHit hit;
-    std::uint32_t slot = 0;
     double depth = 0;  ///< of a shape that is stopped as it starts: its overlap, metres; else 0
 };
 
 /// Of equal fractions the deeper comes first: at a seam of the ground the one that holds, not the edge beside. Then the
 /// lower shape, of a chain the lower segment, so that the answer does not depend on the order in which they are found.
 bool isBefore(const Met& a, const Met& b) {
-    const auto key = [](const Met& m) { return std::make_tuple(m.hit.fraction, -m.depth, m.hit.shape.index, m.slot); };
+    const auto key = [](const Met& m) {
+        return std::make_tuple(m.hit.fraction, -m.depth, m.hit.shape.index, m.hit.segment);
+    };
     return key(a) < key(b);
 }
 
@@ -87,7 +89,7 @@ void visitOnRay(const WorldState& world, DVec2 origin, Vec2 translation, const Q
         const std::uint32_t slot = slotOf(world, proxy);
         if (!sees(world, filter, world.shapes[slot])) { return limit; }
         const CastHit hit = rayAgainst(world, world.shapes[slot], origin, translation, limit);
-        return hit.hit ? std::min(limit, visit(Met{hit, slot})) : limit;
+        return hit.hit ? std::min(limit, visit(Met{hit})) : limit;
     });
 }
 
@@ -117,13 +119,14 @@ bool isPassed(const std::vector<Support>& supports, std::uint32_t slot) {
 Met castAgainst(const WorldState& world, std::uint32_t slot, const CarriedShape& carried, Real limit) {
     const Shape& shape = world.shapes[slot];
     const Toi toi = castOf(world, shape, carried, static_cast<double>(limit));
-    Met met{{}, slot};
+    Met met;
     if (toi.state == ToiState::separated) { return met; }
     const Stance stance = stanceOf(world, shape, carried, toi);
     if (stance.start == CastStart::leadsPast) { return met; }
     met.hit.hit = true;
     met.hit.shape = world.shapes.idOf(shape.head);
     met.hit.body = world.bodies.idOf(shape.body);
+    met.hit.segment = shape.segmentIndex;
     met.hit.fraction = static_cast<Real>(toi.fraction);
     met.hit.point = toi.pointA;
     met.depth = stance.depth;

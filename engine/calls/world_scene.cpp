@@ -12,6 +12,7 @@
 #include "json_text.h"
 #include "scene_joints.h"
 #include "scene_places.h"
+#include "surfaces.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -52,6 +53,38 @@ void appendSettings(std::string& text, const WorldState& world) {
     out.close();
 }
 
+/// What is not as usual.
+void addSurface(JsonObject& out, const Surface& surface, const Surface& usual) {
+    out.addUnless("friction", surface.friction, usual.friction);
+    out.addUnless("restitution", surface.restitution, usual.restitution);
+    out.addUnless("rollingResistance", surface.rollingResistance, usual.rollingResistance);
+    out.addUnless("surfaceSpeed", surface.surfaceSpeed, usual.surfaceSpeed);
+    if (surface.frictionMixing != usual.frictionMixing) {
+        out.add("frictionMixing", wordFor(kMixingRules, surface.frictionMixing));
+    }
+    if (surface.restitutionMixing != usual.restitutionMixing) {
+        out.add("restitutionMixing", wordFor(kMixingRules, surface.restitutionMixing));
+    }
+}
+
+/// Of the segments of a chain, if not all are as that of the first one, which is that of the shape.
+void addSurfaces(JsonObject& out, const WorldState& world, const Shape& head) {
+    const Surface usual = surfaceOf(head.def);
+    std::string texts;
+    bool areAlike = true;
+    const Shape* segment = &head;
+    for (const char* before = "["; segment != nullptr; before = ", ") {
+        const Surface surface = surfaceOf(segment->def);
+        areAlike = areAlike && actAlike(surface, usual);
+        texts += before;
+        JsonObject own(texts);
+        addSurface(own, surface, usual);
+        own.close();
+        segment = segment->nextInChain == kNoIndex ? nullptr : &world.shapes[segment->nextInChain];
+    }
+    if (!areAlike) { out.begin("surfaces") += texts + ']'; }
+}
+
 /// The points of a chain, from its first segment on.
 void addChain(JsonObject& out, const WorldState& world, const Shape& head) {
     std::vector<Vec2> points{head.segment.p};
@@ -72,6 +105,7 @@ void addChain(JsonObject& out, const WorldState& world, const Shape& head) {
     chain.addUnless("loop", isLoop, false);
     if (!isLoop && first.hasBefore) { chain.add("before", first.before); }
     if (!isLoop && end.hasAfter) { chain.add("after", end.after); }
+    addSurfaces(chain, world, head);
     chain.close();
     out.addUnless("radius", first.radius, Real(0));
 }
@@ -104,16 +138,7 @@ void appendShape(std::string& text, const WorldState& world, const Shape& shape)
         addPolygon(out, shape.polygon);
     }
     out.addUnless("density", def.density, usual.density);
-    out.addUnless("friction", def.friction, usual.friction);
-    out.addUnless("restitution", def.restitution, usual.restitution);
-    out.addUnless("rollingResistance", def.rollingResistance, usual.rollingResistance);
-    out.addUnless("surfaceSpeed", def.surfaceSpeed, usual.surfaceSpeed);
-    if (def.frictionMixing != usual.frictionMixing) {
-        out.add("frictionMixing", wordFor(kMixingRules, def.frictionMixing));
-    }
-    if (def.restitutionMixing != usual.restitutionMixing) {
-        out.add("restitutionMixing", wordFor(kMixingRules, def.restitutionMixing));
-    }
+    addSurface(out, surfaceOf(def), surfaceOf(usual));
     out.addUnless("sensor", def.sensor, false);
     if (!(def.filter == usual.filter)) {
         JsonObject filter(out.begin("filter"));

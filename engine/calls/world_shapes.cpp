@@ -8,29 +8,20 @@
 #include "../bodies/body_measures.h"
 #include "../bodies/proxies.h"
 #include "../bodies/world_boxes.h"
-#include "../contacts/contact_making.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../state/number_range.h"
 #include "../state/world_state.h"
 #include "../world.h"
+#include "surfaces.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 Status check(const ShapeDef& def) {
-    const Status numbers = firstFault({checkNumber(static_cast<double>(def.density), "density"),
-                                       checkNumber(static_cast<double>(def.friction), "friction"),
-                                       checkNumber(static_cast<double>(def.rollingResistance), "rollingResistance"),
-                                       checkNumber(static_cast<double>(def.surfaceSpeed), "surfaceSpeed")});
-    if (!numbers.ok()) { return numbers; }
+    const Status density = checkNumber(static_cast<double>(def.density), "density");
+    if (!density.ok()) { return density; }
     if (def.density < 0) { return {StatusCode::negative, "density"}; }
-    if (def.friction < 0) { return {StatusCode::negative, "friction"}; }
-    if (def.rollingResistance < 0) { return {StatusCode::negative, "rollingResistance"}; }
-    if (!isFinite(def.restitution)) { return {StatusCode::notFinite, "restitution"}; }
-    if (def.restitution < 0 || def.restitution > 1) { return {StatusCode::outOfRange, "restitution"}; }
-    if (def.frictionMixing > MixingRule::maximum) { return {StatusCode::outOfRange, "frictionMixing"}; }
-    if (def.restitutionMixing > MixingRule::maximum) { return {StatusCode::outOfRange, "restitutionMixing"}; }
-    return Status::success();
+    return checkSurface(surfaceOf(def));
 }
 
 Status checkSize(std::span<const Vec2> points, Real radius, const char* field) {
@@ -39,6 +30,21 @@ Status checkSize(std::span<const Vec2> points, Real radius, const char* field) {
         if (!status.ok()) { return status; }
     }
     return checkNumber(static_cast<double>(radius), "radius");
+}
+
+/// Of valid points.
+Status checkSurfaces(const ChainDef& def) {
+    if (def.surfaces.empty()) { return Status::success(); }
+    const auto count = static_cast<std::size_t>(chainSegmentCount(static_cast<int>(def.points.size()), def.loop));
+    return checkSurfaces(def.surfaces, count);
+}
+
+Status check(const ChainDef& def) {
+    const Status geometry = validateChain(def.points, def.loop, def.radius, def.neighbours);
+    if (!geometry.ok()) { return geometry; }
+    return firstFault(
+        {checkSize(def.points, def.radius, "points"), checkNumber(def.neighbours.before.value_or(Vec2{}), "before"),
+         checkNumber(def.neighbours.after.value_or(Vec2{}), "after"), check(def.shape), checkSurfaces(def)});
 }
 
 /// All that may fail when memory runs out, before a shape is made, but for its proxy.
@@ -160,28 +166,6 @@ private:
     bool areWhole_ = false;
 };
 
-/// What is near only may have no contact yet.
-void mixSurfacesOf(WorldState& world, std::span<const std::uint32_t> places) {
-    for (const std::uint32_t place : places) {
-        ContactProbe* const probe = probeAt(world, place);
-        if (probe == nullptr) { return; }
-        Contact& contact = world.contacts[probe->contact];
-        mixSurfaces(world, contact);
-        probe->bounces = contact.restitution > 0;
-        probe->isBelt = contact.isBelt;
-        probe->resistsRolling = contact.resistsRolling;
-        // Or what slides or rolls now would be in balance.
-        for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-            const Real most = contact.friction * std::max(contact.normalImpulse[i], Real(0));
-            contact.tangentImpulse[i] = std::clamp(contact.tangentImpulse[i], -most, most);
-        }
-        if (contact.manifold.count == 1) {
-            const Real most = surfaceOf(world, contact).rolling * std::max(contact.normalImpulse[0], Real(0));
-            contact.rollingImpulse() = std::clamp(contact.rollingImpulse(), -most, most);
-        }
-    }
-}
-
 }  // namespace
 
 Result<ShapeId> World::addShape(BodyId body, const Polygon& polygon, const ShapeDef& def) {
@@ -204,28 +188,28 @@ Result<ShapeId> World::addShape(BodyId body, const Polygon& polygon, const Shape
 
 Result<ShapeId> World::addChain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def, Real radius,
                                 const ChainNeighbours& neighbours) {
+    return addChain(body, {.points = points, .loop = loop, .shape = def, .radius = radius, .neighbours = neighbours});
+}
+
+Result<ShapeId> World::addChain(BodyId body, const ChainDef& def) {
     WorldState& world = *state_;
     if (!world.bodies.isValid(body)) { return Status{StatusCode::staleId, "body"}; }
     if (world.bodies[body.index].isDynamic()) { return Status{StatusCode::wrongBodyType, "body"}; }
-    const Status geometry = validateChain(points, loop, radius, neighbours);
-    if (!geometry.ok()) { return geometry; }
-    const Status size = checkSize(points, radius, "points");
-    if (!size.ok()) { return size; }
-    const Status beyond = firstFault({checkNumber(neighbours.before.value_or(Vec2{}), "before"),
-                                      checkNumber(neighbours.after.value_or(Vec2{}), "after")});
-    if (!beyond.ok()) { return beyond; }
-    const Status surface = check(def);
-    if (!surface.ok()) { return surface; }
+    const Status good = check(def);
+    if (!good.ok()) { return good; }
     ShapeId head;
     std::uint32_t previous = kNoIndex;
-    const Real extent = radius > 0 ? Real(0) : spanOf(points);
+    const Real extent = def.radius > 0 ? Real(0) : spanOf(def.points);
     AddedShapes added(world, body.index);
-    for (int i = 0; i < chainSegmentCount(static_cast<int>(points.size()), loop); ++i) {
+    const int count = chainSegmentCount(static_cast<int>(def.points.size()), def.loop);
+    for (int i = 0; i < count; ++i) {
+        const auto index = static_cast<std::uint32_t>(i);
         Shape shape;
-        shape.segment = chainSegment(points, loop, radius, i, neighbours);
+        shape.segment = chainSegment(def.points, def.loop, def.radius, i, def.neighbours);
         shape.polygon = polygonOf(shape.segment);
         shape.isChainSegment = true;
-        shape.def = def;
+        shape.segmentIndex = index;
+        shape.def = def.surfaces.empty() ? def.shape : withSurface(def.shape, def.surfaces[index]);
         const Result<ShapeId> id = insert(world, body.index, std::move(shape), extent);
         if (!id.ok()) { return id.status(); }
         if (previous == kNoIndex) {
@@ -262,18 +246,20 @@ ShapeDef World::definition(ShapeId id) const { return isValid(id) ? state_->shap
 Status World::redefine(ShapeId id, const ShapeDef& def) {
     WorldState& world = *state_;
     if (!isValid(id)) { return {StatusCode::staleId, "shape"}; }
-    const Status surface = check(def);
-    if (!surface.ok()) { return surface; }
+    const Status good = check(def);
+    if (!good.ok()) { return good; }
     const ShapeDef before = world.shapes[id.index].def;
     const std::uint32_t body = world.shapes[id.index].body;
     std::vector<std::uint32_t> slots;
     listSlots(world, id.index, slots);
     const bool isToldApart = world.contactFilter != nullptr && def.userData != before.userData;
     const bool meetsOthers = def.sensor != before.sensor || !(def.filter == before.filter) || isToldApart;
-    const bool isOtherSurface =
-        def.friction != before.friction || def.restitution != before.restitution ||
-        def.rollingResistance != before.rollingResistance || def.surfaceSpeed != before.surfaceSpeed ||
-        def.frictionMixing != before.frictionMixing || def.restitutionMixing != before.restitutionMixing;
+    // Segments keep surfaces of their own as long as that of the definition is the same.
+    const Surface surface = surfaceOf(def);
+    const bool areNew = !(surface == surfaceOf(before));
+    const bool isOtherSurface = areNew && std::any_of(slots.begin(), slots.end(), [&](std::uint32_t slot) {
+                                    return !actAlike(surfaceOf(world.shapes[slot].def), surface);
+                                });
     std::span<const std::uint32_t> places;
     if (meetsOthers || isOtherSurface) {
         places = pairsOfShape(world, slots);
@@ -281,9 +267,8 @@ Status World::redefine(ShapeId id, const ShapeDef& def) {
         if (meetsOthers) { removePairs(world, places); }
     }
     for (const std::uint32_t slot : slots) {
-        countTraits(world, before, -1);
-        world.shapes[slot].def = def;
-        countTraits(world, def, 1);
+        const ShapeDef own = world.shapes[slot].def;
+        setDefinition(world, slot, areNew ? def : withSurface(def, surfaceOf(own)));
     }
     if (meetsOthers) {
         renewKinds(world, slots);

@@ -13,7 +13,9 @@ inline ContactEvent hitBetween(const WorldState& world, std::uint32_t shapeA, st
             .shapeA = world.shapes.idOf(a.head),
             .shapeB = world.shapes.idOf(b.head),
             .bodyA = world.bodies.idOf(a.body),
-            .bodyB = world.bodies.idOf(b.body)};
+            .bodyB = world.bodies.idOf(b.body),
+            .segmentA = a.segmentIndex,
+            .segmentB = b.segmentIndex};
 }
 
 /// How fast the points of an impact that was solved came together, m/s: the faster one.

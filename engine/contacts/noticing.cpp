@@ -8,15 +8,19 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-ContactEvent eventOf(const WorldState& world, const Contact& contact, bool begins) {
-    ContactEvent event;
+void tellTurn(WorldState& world, const Contact& contact, bool begins) {
+    ContactEvent& event = world.contactEvents.emplace_back();
     if (contact.sensor) {
         event.type = begins ? ContactEventType::sensorBegin : ContactEventType::sensorEnd;
     } else {
         event.type = begins ? ContactEventType::begin : ContactEventType::end;
     }
-    event.shapeA = world.shapes.idOf(world.shapes[contact.shapeA].head);
-    event.shapeB = world.shapes.idOf(world.shapes[contact.shapeB].head);
+    const Shape& a = world.shapes[contact.shapeA];
+    const Shape& b = world.shapes[contact.shapeB];
+    event.shapeA = world.shapes.idOf(a.head);
+    event.shapeB = world.shapes.idOf(b.head);
+    event.segmentA = a.segmentIndex;
+    event.segmentB = b.segmentIndex;
     event.bodyA = world.bodies.idOf(contact.bodyA);
     event.bodyB = world.bodies.idOf(contact.bodyB);
     if (contact.sensor || contact.manifold.count > 0) {
@@ -24,7 +28,6 @@ ContactEvent eventOf(const WorldState& world, const Contact& contact, bool begin
         event.point = apply(pose, contact.manifold.points[0].point);
         event.normal = rotate(pose.rotation, contact.manifold.normal);
     }
-    return event;
 }
 
 bool isDeep(const Contact& contact) { return deepestSeparation(contact.manifold) < -kShallowRatio * contact.extent; }
@@ -35,7 +38,7 @@ bool isOpen(const Contact& contact) { return deepestSeparation(contact.manifold)
 void noticeTouching(WorldState& world, Contact& contact) {
     const bool touching = isTouching(contact);
     if (touching != contact.touching) {
-        world.contactEvents.push_back(eventOf(world, contact, touching));
+        tellTurn(world, contact, touching);
         contact.touching = touching;
     }
     if (!contact.isSolid()) { return; }

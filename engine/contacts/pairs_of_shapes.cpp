@@ -215,15 +215,17 @@ void reportEnd(const WorldState& world, const ContactProbe& probe, std::vector<C
     if (probe.isIdle) { return; }
     const Contact& contact = world.contacts[probe.contact];
     if (!contact.touching) { return; }
-    const std::uint32_t headA = world.shapes[contact.shapeA].head;
-    const std::uint32_t headB = world.shapes[contact.shapeB].head;
+    const Shape& a = world.shapes[contact.shapeA];
+    const Shape& b = world.shapes[contact.shapeB];
     events.push_back({.type = contact.sensor ? ContactEventType::sensorEnd : ContactEventType::end,
-                      .shapeA = world.shapes.idOf(headA),
-                      .shapeB = world.shapes.idOf(headB),
+                      .shapeA = world.shapes.idOf(a.head),
+                      .shapeB = world.shapes.idOf(b.head),
                       .bodyA = world.bodies.idOf(contact.bodyA),
                       .bodyB = world.bodies.idOf(contact.bodyB),
-                      .userDataA = world.shapes[headA].def.userData,
-                      .userDataB = world.shapes[headB].def.userData,
+                      .segmentA = a.segmentIndex,
+                      .segmentB = b.segmentIndex,
+                      .userDataA = a.def.userData,
+                      .userDataB = b.def.userData,
                       .bodyUserDataA = world.bodies[contact.bodyA].def.userData,
                       .bodyUserDataB = world.bodies[contact.bodyB].def.userData});
 }

@@ -127,6 +127,8 @@ struct Watch {
                                        .shapeB = world.shapes.idOf(b.head),
                                        .bodyA = world.bodies.idOf(a.body),
                                        .bodyB = world.bodies.idOf(b.body),
+                                       .segmentA = a.segmentIndex,
+                                       .segmentB = b.segmentIndex,
                                        .fraction = fraction,
                                        .point = 0.5 * (touch.pointA + touch.pointB),
                                        .normal = toReal(touch.normal)});

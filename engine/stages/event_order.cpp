@@ -35,7 +35,8 @@ std::pair<std::uint32_t, std::uint32_t> slotsOf(const ContactEvent& e) {
 /// Ends first: what a call between the steps ended may begin again in the step.
 auto eventKey(const ContactEvent& e) {
     return std::make_tuple(e.fraction, slotsOf(e), isBegin(e), e.shapeA.index, e.type, e.approachSpeed, e.impulse,
-                           e.point.x, e.point.y, e.normal.x, e.normal.y, e.shapeA.generation, e.shapeB.generation);
+                           e.point.x, e.point.y, e.normal.x, e.normal.y, e.segmentA, e.segmentB, e.shapeA.generation,
+                           e.shapeB.generation);
 }
 
 /// Sorts events by their keys, and where these are the same by `isLess`: what is moved about while they are sorted is

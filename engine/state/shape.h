@@ -25,7 +25,8 @@ struct Shape {
     std::uint32_t body = kNoIndex;
     std::uint32_t head = kNoIndex;  ///< slot of the shape that the user knows
     std::uint32_t nextInChain = kNoIndex;
-    ProxyId proxy = kNoProxy;  ///< none while its body is disabled
+    std::uint32_t segmentIndex = 0;  ///< in its chain
+    ProxyId proxy = kNoProxy;        ///< none while its body is disabled
     bool isChainSegment = false;
     bool isBatched = false;  ///< `collidesInBatches`
     ClosedEnds closedEnds;   ///< of a chain segment

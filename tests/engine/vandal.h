@@ -2,6 +2,7 @@
 
 #include <array>
 #include <set>
+#include <vector>
 
 #include "wild_input.h"
 #include "world_digest.h"
@@ -259,7 +260,18 @@ private:
     Status changeSettings() { return world_.configure(settings()); }
     Status redefine() {
         if (random().chance(0.5)) { return world_.redefine(mostlyAlive(), bodyDef()); }
+        if (random().chance(0.5)) { return changeSurface(any(known_.shapes)); }
         return world_.redefine(any(known_.shapes), surface());
+    }
+    Status changeSurface(ShapeId shape) {
+        const auto count = static_cast<int>(world_.segmentCount(shape));
+        if (random().chance(0.5)) {
+            const int segment = random().integer(0, count);
+            return world_.setSurface(shape, static_cast<std::uint32_t>(segment), surfaceOf(surface()));
+        }
+        std::vector<Surface> surfaces;
+        for (int i = random().chance(0.9) ? 0 : 1; i < count; ++i) { surfaces.push_back(surfaceOf(surface())); }
+        return world_.setSurfaces(shape, surfaces);
     }
     void ask() {
         (void)world_.castRay(place(), vector());

@@ -50,6 +50,16 @@ inline void addBody(Digest& digest, const World& world, BodyId id) {
     digest.add(world.userData(id));
 }
 
+inline void addSurface(Digest& digest, const Surface& surface) {
+    digest.add(static_cast<double>(surface.friction));
+    digest.add(static_cast<double>(surface.restitution));
+    digest.add(static_cast<double>(surface.rollingResistance));
+    digest.add(static_cast<double>(surface.surfaceSpeed));
+    digest.add(static_cast<std::uint64_t>(surface.frictionMixing));
+    digest.add(static_cast<std::uint64_t>(surface.restitutionMixing));
+    digest.add(surface.material);
+}
+
 inline void addSettings(Digest& digest, const WorldSettings& settings) {
     digest.add(settings.gravity);
     digest.add(static_cast<std::uint64_t>(settings.subSteps.value_or(0)) << 32U);
@@ -73,6 +83,7 @@ inline std::uint64_t digestOf(const World& world, const KnownIds& known) {
         digest.add(std::uint64_t{world.isValid(id)});
         digest.add(world.bodyOf(id));
         digest.add(world.userData(id));
+        for (std::uint32_t i = 0; i < world.segmentCount(id); ++i) { addSurface(digest, world.surface(id, i)); }
     }
     for (const JointId id : known.joints) {
         digest.add(std::uint64_t{world.isValid(id)});
@@ -85,6 +96,7 @@ inline std::uint64_t digestOf(const World& world, const KnownIds& known) {
     world.visitContacts([&digest](const ContactView& contact) {
         digest.add(contact.shapeA);
         digest.add(contact.shapeB);
+        digest.add(std::uint64_t{contact.segmentA} << 32U | contact.segmentB);
         digest.add(contact.point);
         digest.add(contact.normal);
         digest.add(static_cast<double>(contact.separation));
@@ -94,6 +106,7 @@ inline std::uint64_t digestOf(const World& world, const KnownIds& known) {
         digest.add(static_cast<std::uint64_t>(event.type));
         digest.add(event.shapeA);
         digest.add(event.shapeB);
+        digest.add(std::uint64_t{event.segmentA} << 32U | event.segmentB);
         digest.add(event.fraction);
     }
     digest.add(std::uint64_t{world.bodyCount()} << 32U | world.jointCount());
