@@ -61,6 +61,12 @@ protected:
         }
         return true;
     }
+    bool check(const std::vector<SurfaceDescription>& surfaces, const Place& place, const Range&) {
+        for (std::size_t i = 0; i < surfaces.size(); ++i) {
+            if (!checkFields(surfaces[i], place.at(i))) { return false; }
+        }
+        return true;
+    }
     template <class Value>
     bool check(const std::optional<Value>& value, const Place& place, const Range& range) {
         return !value || check(*value, place, range);

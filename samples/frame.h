@@ -93,7 +93,9 @@ struct SceneEvent {
     DVec2 normal;  ///< from a to b
     double approachSpeed = 0;
     double impulse = 0;
-    int joint = -1;  ///< of a jointBreak: index of the joint in the scene
+    int joint = -1;              ///< of a jointBreak: index of the joint in the scene
+    std::uint32_t segmentA = 0;  ///< of a chain, from 0 in the order of its points; of other shapes 0
+    std::uint32_t segmentB = 0;
 };
 
 /// A named count, in the order in which the backend reports it.

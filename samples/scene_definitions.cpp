@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "scene_surfaces.h"
+
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
@@ -110,6 +112,20 @@ ShapeDef shapeDefOf(const ShapeDescription& given, std::size_t body, std::size_t
     def.filter = {given.filter.category, given.filter.mask, given.filter.group};
     def.userData = (static_cast<std::uint64_t>(body) << kIndexBits) | shape;
     return def;
+}
+
+std::vector<Surface> surfacesOfSegments(const ShapeDescription& given) {
+    std::vector<Surface> surfaces;
+    if (ownSurfaces(given) == nullptr) { return surfaces; }
+    for (const FullSurface& surface : surfacesOf(given)) {
+        surfaces.push_back({.friction = realOf(surface.friction),
+                            .restitution = realOf(surface.restitution),
+                            .rollingResistance = realOf(surface.rollingResistance),
+                            .surfaceSpeed = realOf(surface.surfaceSpeed),
+                            .frictionMixing = surface.frictionMixing,
+                            .restitutionMixing = surface.restitutionMixing});
+    }
+    return surfaces;
 }
 
 ShapeOrigin shapeOrigin(std::uint64_t userData) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "../engine/world.h"
 #include "scene_description.h"
@@ -29,5 +30,8 @@ ShapeOrigin shapeOrigin(std::uint64_t userData);
 BodyDef bodyDefOf(const BodyDescription& given, std::size_t index);
 
 ShapeDef shapeDefOf(const ShapeDescription& given, std::size_t body, std::size_t shape);
+
+/// One for each segment of a chain; none where all are as its shape.
+std::vector<Surface> surfacesOfSegments(const ShapeDescription& given);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -45,11 +45,21 @@ struct PolygonGeometry {
 
     bool operator==(const PolygonGeometry&) const = default;
 };
+/// Of one segment of a chain; what is left out is as of the shape.
+struct SurfaceDescription {
+    std::optional<double> friction, restitution;
+    std::optional<double> rollingResistance;
+    std::optional<double> surfaceSpeed;  ///< m/s
+    std::optional<MixingRule> frictionMixing, restitutionMixing;
+
+    bool operator==(const SurfaceDescription&) const = default;
+};
 struct ChainGeometry {
     std::vector<DVec2> points;
     bool loop = false;
     std::optional<DVec2> before{};  ///< where it goes on as another chain: the next point there, beyond the first one
     std::optional<DVec2> after{};   ///< likewise, beyond the last one
+    std::vector<SurfaceDescription> surfaces{};  ///< one for each segment; none: all are as the shape
 
     bool operator==(const ChainGeometry&) const = default;
 };
@@ -80,11 +90,6 @@ struct ShapeDescription {
 
     bool operator==(const ShapeDescription&) const = default;
 };
-
-/// Whether it mixes friction or restitution in another way than the usual one.
-inline bool hasMixingRule(const ShapeDescription& shape) {
-    return shape.frictionMixing != MixingRule::usual || shape.restitutionMixing != MixingRule::usual;
-}
 
 enum class SceneBodyType : std::uint8_t { fixed, kinematic, dynamic };  ///< `fixed` is "static" in the format
 enum class SceneContinuous : std::uint8_t { off, speedLimit, speculative, stop, subStep };

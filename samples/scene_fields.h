@@ -119,9 +119,19 @@ template <>
 inline constexpr bool kBare<PolygonGeometry> = true;
 
 template <>
-inline constexpr auto kFields<ChainGeometry> = std::make_tuple(
-    required(field("points", &ChainGeometry::points, units::kLength)), field("loop", &ChainGeometry::loop),
-    field("before", &ChainGeometry::before, units::kLength), field("after", &ChainGeometry::after, units::kLength));
+inline constexpr auto kFields<SurfaceDescription> = std::make_tuple(
+    field("friction", &SurfaceDescription::friction, units::kNumber, bounds::kNotNegative),
+    field("restitution", &SurfaceDescription::restitution, units::kNumber, bounds::kZeroToOne),
+    field("rollingResistance", &SurfaceDescription::rollingResistance, units::kNumber, bounds::kNotNegative),
+    field("surfaceSpeed", &SurfaceDescription::surfaceSpeed, units::kSpeed),
+    field("frictionMixing", &SurfaceDescription::frictionMixing),
+    field("restitutionMixing", &SurfaceDescription::restitutionMixing));
+
+template <>
+inline constexpr auto kFields<ChainGeometry> =
+    std::make_tuple(required(field("points", &ChainGeometry::points, units::kLength)),
+                    field("loop", &ChainGeometry::loop), field("before", &ChainGeometry::before, units::kLength),
+                    field("after", &ChainGeometry::after, units::kLength), field("surfaces", &ChainGeometry::surfaces));
 
 template <>
 inline constexpr auto kFields<FilterDescription> = std::make_tuple(field("category", &FilterDescription::category),

@@ -91,6 +91,11 @@ std::optional<GeometryFault> fault(const ChainGeometry& chain) {
         return GeometryFault{elementOf("/points", count - 1),
                              textOf(chain.points.back()) + " repeats the first point; a loop closes by itself"};
     }
+    const std::size_t segments = chain.loop ? count : count - 1;
+    if (!chain.surfaces.empty() && chain.surfaces.size() != segments) {
+        return GeometryFault{"/surfaces", "there must be one for each segment, " + std::to_string(segments) + ", not " +
+                                              std::to_string(chain.surfaces.size())};
+    }
     return faultOfNeighbours(chain);
 }
 

@@ -45,7 +45,16 @@ struct PolygonMaker {
 Status addShape(World& world, BodyId body, const ShapeDescription& given, const ShapeDef& def) {
     const Real radius = realOf(given.radius);
     if (const auto* chain = std::get_if<ChainGeometry>(&given.geometry)) {
-        return world.addChain(body, realPoints(chain->points), chain->loop, def, radius, neighboursOf(*chain)).status();
+        const std::vector<Vec2> points = realPoints(chain->points);
+        const std::vector<Surface> surfaces = surfacesOfSegments(given);
+        return world
+            .addChain(body, {.points = points,
+                             .loop = chain->loop,
+                             .shape = def,
+                             .radius = radius,
+                             .neighbours = neighboursOf(*chain),
+                             .surfaces = surfaces})
+            .status();
     }
     const Result<Polygon> polygon = std::visit(PolygonMaker{radius}, given.geometry);
     return polygon.ok() ? world.addShape(body, polygon.value(), def).status() : polygon.status();

@@ -236,6 +236,8 @@ private:
             events_.push_back({steps_, timeAt(event.fraction), event.fraction, typeOf(event.type), a.body, b.body,
                                a.shape, b.shape, event.point, toDouble(event.normal),
                                static_cast<double>(event.approachSpeed), static_cast<double>(event.impulse)});
+            events_.back().segmentA = event.segmentA;
+            events_.back().segmentB = event.segmentB;
         }
         for (const JointBreakEvent& event : world.jointBreaks()) {
             SceneEvent broken;

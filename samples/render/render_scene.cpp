@@ -1,10 +1,15 @@
 #include "render_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <variant>
+#include <vector>
 
 #include "../scene_reader.h"
+#include "../scene_surfaces.h"
 #include "render_belt.h"
 #include "render_chain.h"
 #include "stroke_font.h"
@@ -47,8 +52,8 @@ SceneDrawing::SceneDrawing(const SceneDescription& scene) {
 }
 
 SceneDrawing::ShapeDrawing SceneDrawing::shapeDrawing(const ShapeDescription& shape) {
-    ShapeDrawing drawing{shapeCore(shape.geometry, shape.radius), Kind::convex, false, shape.sensor,
-                         shape.surfaceSpeed};
+    ShapeDrawing drawing{shapeCore(shape.geometry, shape.radius), Kind::convex, false, shape.sensor, {}};
+    for (const FullSurface& surface : surfacesOf(shape)) { drawing.speeds.push_back(surface.surfaceSpeed); }
     if (const auto* chain = std::get_if<ChainGeometry>(&shape.geometry)) {
         drawing.kind = Kind::chain;
         drawing.loop = chain->loop;
@@ -93,7 +98,7 @@ void SceneDrawing::drawBodies(Paint& paint, const PixelView& view, const Frame& 
                       } else {
                           drawConvex(paint, pose, shape, look);
                       }
-                      if (shape.surfaceSpeed != 0) { drawBelt(paint, pose, shape, look, frame.time); }
+                      drawBelt(paint, pose, shape, look, frame.time);
                   });
     }
 }
@@ -131,12 +136,20 @@ void SceneDrawing::drawChain(Paint& paint, const PixelPose& pose, const ShapeDra
 /// @param time  since the start, s
 void SceneDrawing::drawBelt(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape,
                             const style::BodyStyle& look, double time) const {
+    if (std::all_of(shape.speeds.begin(), shape.speeds.end(), [](double speed) { return speed == 0; })) { return; }
+    const auto mark = [&](std::span<const DVec2> points, bool loop, double speed) {
+        if (speed == 0) { return; }
+        // Clockwise, and so against the points.
+        markBelt(paint, points, loop, -speed * pose.scale() * time, speed < 0, look.edge, pose.pen());
+    };
     const bool isChain = shape.kind == Kind::chain;
     const ShapeCore core = coreInPixels(pose, shape.core);
-    // Clockwise, and so against the points.
-    const double way = -shape.surfaceSpeed * pose.scale() * time;
-    markBelt(paint, isChain ? core.points : roundedOutline(core, paint.box()), !isChain || shape.loop, way,
-             shape.surfaceSpeed < 0, look.edge, pose.pen());
+    if (shape.speeds.size() == 1) {
+        return mark(isChain ? core.points : roundedOutline(core, paint.box()), !isChain || shape.loop, shape.speeds[0]);
+    }
+    for (std::size_t i = 0; i < shape.speeds.size(); ++i) {
+        mark(std::array{core.points[i], core.points[(i + 1) % core.points.size()]}, false, shape.speeds[i]);
+    }
 }
 
 void SceneDrawing::drawSensor(Paint& paint, const PixelPose& pose, const ShapeDrawing& shape) const {

@@ -48,7 +48,7 @@ private:
         Kind kind = Kind::convex;
         bool loop = false;
         bool sensor = false;
-        double surfaceSpeed = 0;  // m/s, clockwise
+        std::vector<double> speeds;  // of its surface, m/s, clockwise: one, or that of each segment
     };
     struct BodyDrawing {
         std::string name;

@@ -76,6 +76,10 @@ inline void expectSameShapes(const World& world, BodyId body, const World& other
         };
         EXPECT_EQ(fields(a), fields(b)) << what;
         EXPECT_TRUE(a.filter == b.filter) << what;
+        ASSERT_EQ(world.segmentCount(mine[i]), other.segmentCount(others[i])) << what;
+        for (std::uint32_t k = 0; k < world.segmentCount(mine[i]); ++k) {
+            EXPECT_EQ(world.surface(mine[i], k), other.surface(others[i], k)) << what << ", segment " << k;
+        }
     }
 }
 

@@ -64,8 +64,22 @@ private:
         return s;
     }
 
+    SurfaceDescription surface() {
+        SurfaceDescription s;
+        s.friction = maybe(positive());
+        s.restitution = maybe(random_.uniform());
+        s.rollingResistance = maybe(positive());
+        s.surfaceSpeed = maybe(number());
+        s.frictionMixing = maybe(mixing());
+        s.restitutionMixing = maybe(mixing());
+        return s;
+    }
+
     ChainGeometry chain() {
         ChainGeometry chain{{vector(), vector(), vector(), vector()}, often()};
+        if (often()) {
+            for (int i = 0; i < (chain.loop ? 4 : 3); ++i) { chain.surfaces.push_back(surface()); }
+        }
         if (chain.loop) { return chain; }
         chain.before = maybe(vector());
         chain.after = maybe(vector());

@@ -145,10 +145,13 @@ TEST(SceneKeys, OfShapes) {
         {"capsule": {"points": [[0, 1], [2, 3]], "radius": 4}},
         {"segment": [[0, 1], [2, 3]], "radius": 0.2},
         {"polygon": [[1, 1], [0, 0], [0, 1], [1, 0]], "radius": 0.3},
-        {"chain": {"points": [[0, 0], [1, 0], [1, 1]], "loop": true}, "radius": 0.4}]}]})");
+        {"chain": {"points": [[0, 0], [1, 0], [1, 1]], "loop": true}, "radius": 0.4},
+        {"chain": {"points": [[0, 0], [1, 0], [1, 1]], "surfaces": [{}, {"friction": 0.3, "restitution": 1,
+         "rollingResistance": 0.25, "surfaceSpeed": -2.5, "frictionMixing": "minimum",
+         "restitutionMixing": "product"}]}}]}]})");
     ASSERT_EQ(scene.bodies.size(), 1u);
     const std::vector<ShapeDescription>& shapes = scene.bodies[0].shapes;
-    ASSERT_EQ(shapes.size(), 6u);
+    ASSERT_EQ(shapes.size(), 7u);
     ShapeDescription expected;
     expected.geometry = BoxGeometry{{1, 2}, {3, 4}, 5};
     expected.radius = 0.1;
@@ -169,6 +172,8 @@ TEST(SceneKeys, OfShapes) {
     EXPECT_EQ(shapes[4].geometry, Geometry(PolygonGeometry{{{1, 1}, {0, 0}, {0, 1}, {1, 0}}}));  // in the given order
     EXPECT_EQ(shapes[5].geometry, Geometry(ChainGeometry{{{0, 0}, {1, 0}, {1, 1}}, true}));
     EXPECT_EQ(shapes[5].radius, 0.4);
+    const SurfaceDescription surface{0.3, 1, 0.25, -2.5, MixingRule::minimum, MixingRule::product};
+    EXPECT_EQ(shapes[6].geometry, Geometry(ChainGeometry{{{0, 0}, {1, 0}, {1, 1}}, false, {}, {}, {{}, surface}}));
 }
 
 TEST(SceneKeys, OfJoints) {

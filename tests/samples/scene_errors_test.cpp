@@ -290,6 +290,9 @@ TEST(SceneErrors, Geometry) {
          "a loop has no ends"},
         {shape(R"("chain": {"points": [[0, 0], [1, 0], [1, 1], [0, 0]], "loop": true})"), at + "/chain/points/3",
          "closes by itself"},
+        {shape(R"("chain": {"points": [[0, 0], [1, 0]], "surfaces": [{}, {}]})"), at + "/chain/surfaces", "1, not 2"},
+        {shape(R"("chain": {"points": [[0, 0], [1, 0]], "surfaces": [{"restitution": 2}]})"),
+         at + "/chain/surfaces/0/restitution", "from 0 to 1, not 2"},
         {R"({"bodies": [{"type": "dynamic", "mass": 1, "inertia": 1, "shapes": [{"chain": {"points": [[0, 0], [1, 0]]}}]}]})",
          at + "/chain", "static or kinematic"},
     });

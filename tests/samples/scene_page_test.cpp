@@ -93,6 +93,7 @@ TEST(ScenePage, NamesEveryMemberWhereItBelongs) {
     expectNamed("### Body", keysOf<BodyDescription>());
     expectNamed("### Shape", keysOf<ShapeDescription>());
     expectNamed("### Shape", keysOf<FilterDescription>());
+    expectNamed("### Shape", keysOf<SurfaceDescription>());
     expectNamed("### Joint", keysOf<JointDescription>());
     expectNamed("### Joint", keysOf<RevoluteDescription>());
     expectNamed("### Joint", keysOf<DistanceDescription>());

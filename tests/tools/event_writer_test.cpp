@@ -37,6 +37,16 @@ TEST(EventWriter, WritesTheFormatByteForByte) {
               "\"shapeA\":0,\"shapeB\":2,\"point\":[0.5,-1],\"normal\":[0,1],\"approachSpeed\":3.5,\"impulse\":7}\n");
 }
 
+TEST(EventWriter, NamesSegmentsOfChains) {
+    std::ostringstream out;
+    EventWriter writer(out, {"floor", "ball"});
+    SceneEvent event = hitEvent();
+    event.segmentA = 7;
+    const std::vector<SceneEvent> events{event};
+    writer.write(events);
+    EXPECT_NE(out.str().find(",\"shapeB\":2,\"segmentA\":7,\"point\""), std::string::npos) << out.str();
+}
+
 TEST(EventWriter, NamesTheJointThatBroke) {
     std::ostringstream out;
     EventWriter writer(out, {"floor", "ball"});

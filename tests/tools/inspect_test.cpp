@@ -66,6 +66,20 @@ TEST(Inspect, FindsMixingRules) {
     EXPECT_FALSE(needs(inspectScene(scene), "mixing rules"));
 }
 
+TEST(Inspect, FindsWhatSegmentsOfChainsHave) {
+    SceneDescription scene = soundScene();
+    ShapeDescription ground = build::withFriction(build::chain({{50, 0}, {0, 0}, {-50, 0}}), 0);
+    scene.bodies[0].shapes = {ground};
+    for (const char* const need : {"friction", "restitution", "surface speed", "mixing rules", "rolling resistance"}) {
+        EXPECT_FALSE(needs(inspectScene(scene), need)) << need;
+    }
+    std::get<ChainGeometry>(scene.bodies[0].shapes[0].geometry).surfaces = {
+        {}, {0.5, 0.5, 0.1, 1, MixingRule::average, std::nullopt}};
+    for (const char* const need : {"friction", "restitution", "surface speed", "mixing rules", "rolling resistance"}) {
+        EXPECT_TRUE(needs(inspectScene(scene), need)) << need;
+    }
+}
+
 /// Who has no friction may get some from whom it touches.
 TEST(Inspect, FrictionIsThatOfAPair) {
     SceneDescription scene = soundScene();

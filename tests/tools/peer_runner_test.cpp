@@ -205,6 +205,27 @@ TEST(PeerRunner, RollingResistanceIsThatOfItsShapes) {
     }
 }
 
+/// Ice, ten metres of rough ground, and ice, along one chain.
+TEST(PeerRunner, FrictionOfAChainIsThatOfItsSegments) {
+    SceneDescription scene = emptyScene();
+    ChainGeometry ground{{{60, 0}, {20, 0}, {10, 0}, {-60, 0}, {-60, -5}, {60, -5}}, true};
+    for (const double friction : {0.0, 0.5, 0.0, 0.0, 0.0, 0.0}) {
+        ground.surfaces.push_back(SurfaceDescription{.friction = friction});
+    }
+    add(scene, "ground", SceneBodyType::fixed, {0, 0}, {1, 1}).shapes[0].geometry = ground;
+    BodyDescription& body = add(scene, "box", SceneBodyType::dynamic, {5, 0.2}, {0.2, 0.2});
+    body.velocity = {12, 0};
+    body.shapes[0].friction = 0.5;
+    for (const PeerSettings& peer : peers()) {
+        EXPECT_EQ(peerLacks(peer.engine, scene), "") << nameOf(peer);
+        const std::vector<Frame> frames = run(scene, peer, 105);
+        EXPECT_NEAR(frames[15].bodies[1].velocity.x, 12, 0.01) << nameOf(peer);
+        EXPECT_GT(frames.back().bodies[1].position.x, 20.5) << nameOf(peer);
+        EXPECT_NEAR(frames.back().bodies[1].velocity.x, std::sqrt(12 * 12 - 2 * 0.5 * kGravity * 10), 0.15)
+            << nameOf(peer);
+    }
+}
+
 /// A bar between a hinge and a rod: both ends stay where the joints hold them, and what is filtered passes.
 TEST(PeerRunner, JointsHoldAndFiltersPass) {
     SceneDescription scene = emptyScene();

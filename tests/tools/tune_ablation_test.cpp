@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <swept/samples/scene_builder.h>
@@ -56,6 +58,27 @@ TEST(TuneAblation, FeaturesAreGoneWhenTheyAreTakenAway) {
         EXPECT_EQ(feature.isPresent(scene, config), isSensors) << feature.name;
         EXPECT_FALSE(validateScene(withConfig(scene, config))) << feature.name;
     }
+}
+
+/// What only a segment of a chain has counts, and is taken away.
+TEST(TuneAblation, FeaturesOfSegmentsAreGoneWhenTheyAreTakenAway) {
+    int ofSurfaces = 0;
+    for (const Feature& feature : allFeatures()) {
+        const std::string name = feature.name;
+        SceneDescription scene = build::scene("slope", {0, 0}, 10);
+        ShapeDescription ground = build::withFriction(build::chain({{9, 0}, {0, 0}, {-9, 0}}), 0);
+        build::addFixed(scene, "ground", {0, 0}, {ground});
+        Config config = ownConfig(scene);
+        if (feature.isPresent(scene, config)) { continue; }
+        auto& chain = std::get<ChainGeometry>(scene.bodies[0].shapes[0].geometry);
+        chain.surfaces = {{}, {0.5, 0.5, 0.1, 1, MixingRule::average, std::nullopt}};
+        if (!feature.isPresent(scene, config)) { continue; }
+        ++ofSurfaces;
+        feature.remove(scene, config);
+        EXPECT_FALSE(feature.isPresent(scene, config)) << name;
+        EXPECT_FALSE(validateScene(withConfig(scene, config))) << name;
+    }
+    EXPECT_EQ(ofSurfaces, 5) << "restitution, friction, surface speed, mixing rules, rolling resistance";
 }
 
 TEST(TuneAblation, TellsWhatTheOutcomeNeeds) {

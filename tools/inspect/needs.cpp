@@ -60,8 +60,8 @@ Need bulletNeed(const PlacedScene& placed) {
 }
 
 Need restitutionNeed(const PlacedScene& placed) {
-    const PlacedBody* const body =
-        bodyWithShape(placed, [](const ShapeDescription& shape) { return !shape.sensor && shape.restitution > 0; });
+    const PlacedBody* const body = bodyWithShape(
+        placed, [](const ShapeDescription& shape) { return !shape.sensor && anySurface(shape, bounces); });
     return {"restitution", body != nullptr, body != nullptr ? body->name + " bounces" : "no shape bounces"};
 }
 
@@ -75,7 +75,7 @@ Need frictionNeed(const PlacedScene& placed) {
 
 Need beltNeed(const PlacedScene& placed) {
     const PlacedBody* const body =
-        bodyWithShape(placed, [](const ShapeDescription& shape) { return !shape.sensor && shape.surfaceSpeed != 0; });
+        bodyWithShape(placed, [](const ShapeDescription& shape) { return !shape.sensor && anySurface(shape, isBelt); });
     return {"surface speed", body != nullptr, body != nullptr ? body->name + " is a belt" : "no shape is a belt"};
 }
 
@@ -87,7 +87,7 @@ Need mixingNeed(const PlacedScene& placed) {
 
 Need rollingNeed(const PlacedScene& placed) {
     const PlacedBody* const body = bodyWithShape(
-        placed, [](const ShapeDescription& shape) { return !shape.sensor && shape.rollingResistance > 0; });
+        placed, [](const ShapeDescription& shape) { return !shape.sensor && anySurface(shape, resistsRolling); });
     return {"rolling resistance", body != nullptr,
             body != nullptr ? body->name + " resists rolling" : "nothing resists rolling"};
 }

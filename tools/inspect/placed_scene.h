@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <set>
 #include <string>
@@ -9,6 +11,7 @@
 #include <vector>
 
 #include <swept/samples/scene_description.h>
+#include <swept/samples/scene_surfaces.h>
 #include <swept/shapes/polygon.h>
 
 namespace swept {
@@ -69,6 +72,10 @@ inline const PlacedBody& bodyOf(const PlacedScene& placed, const PlacedPiece& pi
 }
 inline const ShapeDescription& shapeOf(const PlacedScene& placed, const PlacedPiece& piece) {
     return bodyOf(placed, piece).description->shapes[static_cast<std::size_t>(piece.shape)];
+}
+
+inline FullSurface surfaceOf(const PlacedScene& placed, const PlacedPiece& piece) {
+    return surfaceAt(shapeOf(placed, piece), static_cast<std::size_t>(std::max(piece.segment, 0)));
 }
 
 /// Two pieces of different bodies, at least one of them dynamic, that may collide by their filters, whose bounds come

@@ -12,6 +12,7 @@ namespace {
 /// of the scene.
 struct Likes {
     const ShapeDescription* shape = nullptr;  ///< of the first
+    FullSurface surface;                      ///< likewise
     std::vector<int> pieces;
 };
 
@@ -23,9 +24,10 @@ std::vector<Likes> likesOf(const PlacedScene& placed) {
         const ShapeDescription& shape = shapeOf(placed, placed.pieces[i]);
         if (shape.sensor) { continue; }
         const FilterDescription& filter = shape.filter;
-        const std::tuple kind(filter.category, filter.mask, filter.group, shape.frictionMixing, shape.friction > 0);
+        const FullSurface surface = surfaceOf(placed, placed.pieces[i]);
+        const std::tuple kind(filter.category, filter.mask, filter.group, surface.frictionMixing, rubs(surface));
         const auto [place, isNew] = places.emplace(kind, likes.size());
-        if (isNew) { likes.push_back({&shape, {}}); }
+        if (isNew) { likes.push_back({&shape, surface, {}}); }
         likes[place->second].pieces.push_back(static_cast<int>(i));
     }
     return likes;
@@ -40,10 +42,11 @@ RubbingBodies firstRubbing(const PlacedScene& placed) {
     for (const PlacedPiece& a : placed.pieces) {
         const ShapeDescription& shape = shapeOf(placed, a);
         if (!bodyOf(placed, a).isDynamic() || shape.sensor) { continue; }
+        const FullSurface surface = surfaceOf(placed, a);
         int first = static_cast<int>(placed.pieces.size());
         for (const Likes& others : likes) {
             if (!filtersCollide(shape.filter, others.shape->filter)) { continue; }
-            if (!(mixedFriction(shape, *others.shape) > 0)) { continue; }
+            if (!(mixedFriction(surface, others.surface) > 0)) { continue; }
             // All pieces of a body follow each other: those of one that is no partner are passed over at once.
             for (auto b = others.pieces.begin(); b != others.pieces.end() && *b < first;) {
                 const int body = pieceAt(*b).body;

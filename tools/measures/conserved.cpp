@@ -30,14 +30,14 @@ bool isActive(const JointDescription& joint) {
         joint.joint);
 }
 
-bool isBelt(const ShapeDescription& shape) { return !shape.sensor && shape.surfaceSpeed != 0; }
+bool drags(const ShapeDescription& shape) { return !shape.sensor && anySurface(shape, isBelt); }
 
 bool isEnergyBroughtIn(const SceneDescription& scene, const PlacedScene& placed) {
     return std::any_of(scene.joints.begin(), scene.joints.end(), isActive) ||
            anyBody(placed, [](const PlacedBody& body) {
                const std::vector<ShapeDescription>& shapes = body.description->shapes;
                return body.description->type == SceneBodyType::kinematic ||
-                      std::any_of(shapes.begin(), shapes.end(), isBelt);
+                      std::any_of(shapes.begin(), shapes.end(), drags);
            });
 }
 
@@ -45,8 +45,8 @@ bool isEnergyBroughtIn(const SceneDescription& scene, const PlacedScene& placed)
 bool isEnergyLostInContacts(const PlacedScene& placed) {
     for (std::size_t i = 0; i < placed.pieces.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
-            const ShapeDescription& a = shapeOf(placed, placed.pieces[i]);
-            const ShapeDescription& b = shapeOf(placed, placed.pieces[k]);
+            const FullSurface a = surfaceOf(placed, placed.pieces[i]);
+            const FullSurface b = surfaceOf(placed, placed.pieces[k]);
             const bool isLossless = mixedRestitution(a, b) >= 1 && mixedFriction(a, b) == 0 &&
                                     std::max(a.rollingResistance, b.rollingResistance) == 0;
             if (!isLossless && mayCollide(placed, placed.pieces[i], placed.pieces[k])) { return true; }

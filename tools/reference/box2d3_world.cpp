@@ -1,6 +1,7 @@
 #include "box2d3_world.h"
 
 #include <box2d/box2d.h>
+#include <swept/samples/scene_surfaces.h>
 
 #include <algorithm>
 #include <array>
@@ -42,10 +43,30 @@ float orElse(const std::optional<double>& value, float otherwise) {
     std::abort();
 }
 
+/// Both rules of a surface are its material.
+constexpr unsigned kRuleBits = 8;
+b2SurfaceMaterial materialOf(const FullSurface& surface) {
+    b2SurfaceMaterial material = b2DefaultSurfaceMaterial();
+    material.friction = static_cast<float>(surface.friction);
+    material.restitution = static_cast<float>(surface.restitution);
+    material.rollingResistance = static_cast<float>(surface.rollingResistance);
+    material.tangentSpeed = static_cast<float>(surface.surfaceSpeed);
+    material.userMaterialId = static_cast<std::uint64_t>(surface.frictionMixing) |
+                              (static_cast<std::uint64_t>(surface.restitutionMixing) << kRuleBits);
+    return material;
+}
+
+std::vector<b2SurfaceMaterial> materialsOf(const ShapeDescription& shape) {
+    std::vector<b2SurfaceMaterial> materials;
+    for (const FullSurface& surface : surfacesOf(shape)) { materials.push_back(materialOf(surface)); }
+    return materials;
+}
+
 struct ShapeMaker {
     b2BodyId body;
     b2ShapeDef definition;
     double radius;
+    std::vector<b2SurfaceMaterial> materials;  ///< one, or one for each segment of a chain
 
     void operator()(const BoxGeometry& box) const {
         const b2Polygon polygon =
@@ -82,8 +103,8 @@ struct ShapeMaker {
         chain.points = points.data();
         chain.count = static_cast<int>(points.size());
         chain.isLoop = true;
-        chain.materials = &definition.material;
-        chain.materialCount = 1;
+        chain.materials = materials.data();
+        chain.materialCount = static_cast<int>(materials.size());
         chain.filter = definition.filter;
         b2CreateChain(body, &chain);
     }
@@ -178,12 +199,6 @@ b2BodyDef definitionOf(const BodyDescription& body, const SettingsDescription& s
     return definition;
 }
 
-/// Both rules of a shape are its material.
-constexpr unsigned kRuleBits = 8;
-std::uint64_t materialOf(const ShapeDescription& shape) {
-    return static_cast<std::uint64_t>(shape.frictionMixing) |
-           (static_cast<std::uint64_t>(shape.restitutionMixing) << kRuleBits);
-}
 MixingRule frictionRuleOf(std::uint64_t material) {
     return static_cast<MixingRule>(material & ((1U << kRuleBits) - 1U));
 }
@@ -191,7 +206,8 @@ MixingRule restitutionRuleOf(std::uint64_t material) { return static_cast<Mixing
 
 bool hasMixingRules(const SceneDescription& scene) {
     return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodyDescription& body) {
-        return std::any_of(body.shapes.begin(), body.shapes.end(), hasMixingRule);
+        return std::any_of(body.shapes.begin(), body.shapes.end(),
+                           [](const ShapeDescription& shape) { return hasMixingRule(shape); });
     });
 }
 
@@ -205,11 +221,7 @@ float restitutionOf(float a, std::uint64_t materialA, float b, std::uint64_t mat
 b2ShapeDef definitionOf(const ShapeDescription& shape) {
     b2ShapeDef definition = b2DefaultShapeDef();
     definition.density = static_cast<float>(shape.density);
-    definition.material.friction = static_cast<float>(shape.friction);
-    definition.material.restitution = static_cast<float>(shape.restitution);
-    definition.material.rollingResistance = static_cast<float>(shape.rollingResistance);
-    definition.material.tangentSpeed = static_cast<float>(shape.surfaceSpeed);
-    definition.material.userMaterialId = materialOf(shape);
+    definition.material = materialOf(surfaceAt(shape, 0));
     definition.isSensor = shape.sensor;
     definition.filter = {shape.filter.category, shape.filter.mask, shape.filter.group};
     return definition;
@@ -283,7 +295,7 @@ private:
         const b2BodyDef definition = definitionOf(description, scene().settings);
         const b2BodyId body = b2CreateBody(world_, &definition);
         for (const ShapeDescription& shape : description.shapes) {
-            std::visit(ShapeMaker{body, definitionOf(shape), shape.radius}, shape.geometry);
+            std::visit(ShapeMaker{body, definitionOf(shape), shape.radius, materialsOf(shape)}, shape.geometry);
         }
         if (description.type == SceneBodyType::dynamic) { setMass(body, description); }
         bodies_[i] = body;

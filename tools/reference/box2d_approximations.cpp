@@ -1,5 +1,7 @@
 #include "box2d_approximations.h"
 
+#include <swept/samples/scene_surfaces.h>
+
 #include <algorithm>
 #include <variant>
 
@@ -98,7 +100,7 @@ void addWaysWithShapes(const SceneDescription& scene, std::vector<std::string>& 
             "Rounded polygons and chains are polygons with a thicker skin: against other polygons their corners are "
             "sharp, and a radius below 1 cm counts as 1 cm.");
     }
-    if (anyShape(scene, [](const ShapeDescription& shape) { return shape.rollingResistance > 0; })) {
+    if (anyShape(scene, [](const ShapeDescription& shape) { return anySurface(shape, resistsRolling); })) {
         sentences.push_back("Rolling resistance is left out.");
     }
     if (anyShape(scene, isSegment)) { sentences.push_back("Segments do not collide with segments or chains."); }

@@ -1,6 +1,7 @@
 #include "box2d_shapes.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <variant>
 #include <vector>
 
@@ -56,7 +57,12 @@ public:
                               geometry.after ? toBox2d(*geometry.after) : 2.0f * points[last] - points[last - 1]);
         }
         chain.m_radius = std::max(static_cast<float>(shape_.radius), b2_polygonRadius);
-        add(chain, shape_.radius);
+        if (ownSurfaces(shape_) == nullptr) { return add(chain, shape_.radius); }
+        for (int32 i = 0; i < chain.GetChildCount(); ++i) {
+            b2EdgeShape edge;
+            chain.GetChildEdge(&edge, i);
+            add(edge, shape_.radius, static_cast<std::size_t>(i));
+        }
     }
 
 private:
@@ -87,12 +93,13 @@ private:
         add(polygon, skin);
     }
 
-    void add(const b2Shape& geometry, double trueRadius) const {
-        notes_.push_back({&shape_, shape_.sensor, static_cast<float>(trueRadius)});
+    void add(const b2Shape& geometry, double trueRadius, std::size_t segment = 0) const {
+        const FullSurface surface = surfaceAt(shape_, segment);
+        notes_.push_back({&shape_, shape_.sensor, static_cast<float>(trueRadius), surface});
         b2FixtureDef definition;
         definition.shape = &geometry;
-        definition.friction = static_cast<float>(shape_.friction);
-        definition.restitution = static_cast<float>(shape_.restitution);
+        definition.friction = static_cast<float>(surface.friction);
+        definition.restitution = static_cast<float>(surface.restitution);
         definition.isSensor = shape_.sensor;
         definition.userData.pointer = reinterpret_cast<uintptr_t>(&notes_.back());
         body_.CreateFixture(&definition);
@@ -114,8 +121,8 @@ void addFixtures(b2Body& body, const ShapeDescription& shape, std::deque<Box2dFi
 }
 
 void Box2dSurfaces::PreSolve(b2Contact* contact, const b2Manifold*) {
-    const ShapeDescription& a = *noteOf(*contact->GetFixtureA()).shape;
-    const ShapeDescription& b = *noteOf(*contact->GetFixtureB()).shape;
+    const FullSurface& a = noteOf(*contact->GetFixtureA()).surface;
+    const FullSurface& b = noteOf(*contact->GetFixtureB()).surface;
     contact->SetTangentSpeed(static_cast<float>(a.surfaceSpeed + b.surfaceSpeed));
     if (!hasMixingRule(a) && !hasMixingRule(b)) { return; }  // Box2D's own mixing is the usual one
     contact->SetFriction(static_cast<float>(mixedFriction(a, b)));

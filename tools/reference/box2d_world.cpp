@@ -176,7 +176,7 @@ Box2dWorld::Box2dWorld(const SceneDescription& scene, const Box2dIterations& ite
     parts_->iterations = iterations;
     parts_->world.SetContactFilter(&parts_->filter);
     const auto isSpecial = [](const ShapeDescription& shape) {
-        return shape.surfaceSpeed != 0 || hasMixingRule(shape);
+        return anySurface(shape, isBelt) || hasMixingRule(shape);
     };
     const bool hasSpecial = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodyDescription& body) {
         return std::any_of(body.shapes.begin(), body.shapes.end(), isSpecial);

@@ -1,6 +1,7 @@
 #include "chipmunk_world.h"
 
 #include <chipmunk/chipmunk.h>
+#include <swept/samples/scene_surfaces.h>
 
 #include <array>
 #include <cmath>
@@ -115,9 +116,10 @@ cpBody* makeBody(const BodyDescription& description, const BodyMass& mass) {
 }
 
 /// Pairs multiply, so that each shape has the root.
-void setSurface(cpShape* made, const ShapeDescription& shape) {
-    cpShapeSetFriction(made, std::sqrt(shape.friction));
-    cpShapeSetElasticity(made, std::sqrt(shape.restitution));
+void setSurface(cpShape* made, const ShapeDescription& shape, std::size_t segment) {
+    const FullSurface surface = surfaceAt(shape, segment);
+    cpShapeSetFriction(made, std::sqrt(surface.friction));
+    cpShapeSetElasticity(made, std::sqrt(surface.restitution));
     cpShapeSetSensor(made, shape.sensor ? cpTrue : cpFalse);
     const auto group = static_cast<cpGroup>(-static_cast<std::int64_t>(shape.filter.group));
     cpShapeSetFilter(made, cpShapeFilterNew(group, shape.filter.category, shape.filter.mask));
@@ -176,7 +178,7 @@ private:
             const std::size_t first = shapes_[i].size();
             std::visit(ShapeMaker{body, shape.radius, shapes_[i]}, shape.geometry);
             for (std::size_t k = first; k < shapes_[i].size(); ++k) {
-                setSurface(shapes_[i][k], shape);
+                setSurface(shapes_[i][k], shape, k - first);
                 cpSpaceAddShape(space_, shapes_[i][k]);
             }
         }

@@ -1,5 +1,7 @@
 #include "peer_limits.h"
 
+#include <swept/samples/scene_surfaces.h>
+
 #include <variant>
 
 #include "box2d_approximations.h"
@@ -25,8 +27,8 @@ std::string lackOfShape(PeerEngine engine, const ShapeDescription& shape) {
     if (engine != PeerEngine::chipmunk) { return ""; }
     if (shape.filter.group > 0) { return "groups that always collide"; }
     if (hasMixingRule(shape)) { return "mixing rules of single shapes"; }
-    if (shape.rollingResistance > 0) { return "rolling resistance"; }
-    return shape.surfaceSpeed != 0 ? "surfaces that run along an outline" : "";
+    if (anySurface(shape, resistsRolling)) { return "rolling resistance"; }
+    return anySurface(shape, isBelt) ? "surfaces that run along an outline" : "";
 }
 
 std::string lackOfBody(PeerEngine engine, const BodyDescription& body) {

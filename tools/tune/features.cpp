@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <vector>
+
+#include <swept/samples/scene_surfaces.h>
 
 #include "ablation.h"
 
@@ -24,6 +27,22 @@ void eachShape(SceneDescription& scene, const Change& change) {
     for (BodyDescription& body : scene.bodies) {
         for (ShapeDescription& shape : body.shapes) { change(shape); }
     }
+}
+
+template <class Condition>
+bool anySurfaceThat(const SceneDescription& scene, const Condition& holds) {
+    return anyShape(scene, [&](const ShapeDescription& shape) { return !shape.sensor && anySurface(shape, holds); });
+}
+
+/// Of shapes and of segments of chains, which then are as their shape.
+template <class Change>
+void eachSurface(SceneDescription& scene, const Change& change) {
+    eachShape(scene, [&](ShapeDescription& shape) {
+        change(shape);
+        if (std::vector<SurfaceDescription>* const own = ownSurfaces(shape)) {
+            for (SurfaceDescription& surface : *own) { change(surface); }
+        }
+    });
 }
 
 /// What profile `fast` stands for.
@@ -53,42 +72,26 @@ constexpr std::array<Feature, 13> kFeatures{{
      [](SceneDescription&, Config& config) { config.relaxPasses = 0; }},
     {"sleep", false, [](const SceneDescription& scene, const Config&) { return scene.settings.sleep; },
      [](SceneDescription& scene, Config&) { scene.settings.sleep = false; }},
-    {"restitution", true,
-     [](const SceneDescription& scene, const Config&) {
-         return anyShape(scene, [](const ShapeDescription& shape) { return !shape.sensor && shape.restitution > 0; });
-     },
-     [](SceneDescription& scene, Config&) {
-         eachShape(scene, [](ShapeDescription& shape) { shape.restitution = 0; });
-     }},
-    {"friction", true,
-     [](const SceneDescription& scene, const Config&) {
-         return anyShape(scene, [](const ShapeDescription& shape) { return !shape.sensor && shape.friction > 0; });
-     },
-     [](SceneDescription& scene, Config&) { eachShape(scene, [](ShapeDescription& shape) { shape.friction = 0; }); }},
-    {"surface speed", true,
-     [](const SceneDescription& scene, const Config&) {
-         return anyShape(scene, [](const ShapeDescription& shape) { return !shape.sensor && shape.surfaceSpeed != 0; });
-     },
-     [](SceneDescription& scene, Config&) {
-         eachShape(scene, [](ShapeDescription& shape) { shape.surfaceSpeed = 0; });
-     }},
+    {"restitution", true, [](const SceneDescription& scene, const Config&) { return anySurfaceThat(scene, bounces); },
+     [](SceneDescription& scene, Config&) { eachSurface(scene, [](auto& surface) { surface.restitution = 0; }); }},
+    {"friction", true, [](const SceneDescription& scene, const Config&) { return anySurfaceThat(scene, rubs); },
+     [](SceneDescription& scene, Config&) { eachSurface(scene, [](auto& surface) { surface.friction = 0; }); }},
+    {"surface speed", true, [](const SceneDescription& scene, const Config&) { return anySurfaceThat(scene, isBelt); },
+     [](SceneDescription& scene, Config&) { eachSurface(scene, [](auto& surface) { surface.surfaceSpeed = 0; }); }},
     {"mixing rules", true,
      [](const SceneDescription& scene, const Config&) {
          return anyShape(scene, [](const ShapeDescription& shape) { return !shape.sensor && hasMixingRule(shape); });
      },
      [](SceneDescription& scene, Config&) {
-         eachShape(scene, [](ShapeDescription& shape) {
-             shape.frictionMixing = MixingRule::usual;
-             shape.restitutionMixing = MixingRule::usual;
+         eachSurface(scene, [](auto& surface) {
+             surface.frictionMixing = MixingRule::usual;
+             surface.restitutionMixing = MixingRule::usual;
          });
      }},
     {"rolling resistance", true,
-     [](const SceneDescription& scene, const Config&) {
-         return anyShape(scene,
-                         [](const ShapeDescription& shape) { return !shape.sensor && shape.rollingResistance > 0; });
-     },
+     [](const SceneDescription& scene, const Config&) { return anySurfaceThat(scene, resistsRolling); },
      [](SceneDescription& scene, Config&) {
-         eachShape(scene, [](ShapeDescription& shape) { shape.rollingResistance = 0; });
+         eachSurface(scene, [](auto& surface) { surface.rollingResistance = 0; });
      }},
     {"rotation", true,
      [](const SceneDescription& scene, const Config&) {

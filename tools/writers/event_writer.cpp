@@ -65,6 +65,8 @@ void EventWriter::write(std::span<const SceneEvent> events) {
         lines_ += ",\"b\":" + names_.at(static_cast<std::size_t>(event.b));
         lines_ += ",\"shapeA\":" + std::to_string(event.shapeA);
         lines_ += ",\"shapeB\":" + std::to_string(event.shapeB);
+        if (event.segmentA > 0) { lines_ += ",\"segmentA\":" + std::to_string(event.segmentA); }
+        if (event.segmentB > 0) { lines_ += ",\"segmentB\":" + std::to_string(event.segmentB); }
         appendMember(lines_, "point", event.point);
         appendMember(lines_, "normal", event.normal);
         appendMember(lines_, "approachSpeed", event.approachSpeed);
