@@ -241,6 +241,31 @@ TEST(Belts, StartAndStop) {
     }
 }
 
+/// One segment of a chain starts under what lay still, asleep or held in balance; who lies on another lies on.
+TEST(Belts, OfOneSegmentStartAndStop) {
+    for (const Profile profile : kProfiles) {
+        for (const bool sleeps : {true, false}) {
+            World world = beltWorld(profile, sleeps);
+            const std::vector<Vec2> points{vec(50, 0), vec(0, 0), vec(-50, 0)};
+            const ShapeId chain = must(world.addChain(must(world.createBody({})), points, false, material(0.5)));
+            const BodyId body = addBody(world, dynamicAt({20, 0.5}), box(0.5, 0.5), material(0.5));
+            const BodyId other = addBody(world, dynamicAt({-20, 0.5}), box(0.5, 0.5), material(0.5));
+            runFor(world, 3);
+            EXPECT_EQ(world.isAwake(body), !sleeps);
+            const DVec2 lay = world.position(other);
+            must(world.setSurface(chain, 0, surfaceOf(belt(2))));
+            EXPECT_TRUE(world.isAwake(body)) << "a belt that starts wakes what lies on it";
+            runFor(world, 1);
+            expectAtMost(nameOf(profile, 2) + "speed", std::abs(velocityOf(world, body).x / 2 - 1), 1e-3);
+            EXPECT_EQ(world.position(other), lay) << nameOf(profile, 2);
+            must(world.setSurface(chain, 0, surfaceOf(belt(0))));
+            runFor(world, 3);
+            EXPECT_EQ(world.isAwake(body), !sleeps);
+            expectAtMost(nameOf(profile, 0) + "speed", length(velocityOf(world, body)), 0);
+        }
+    }
+}
+
 /// However slow: no body is too slow to be awake on it, nor in balance with it.
 TEST(Belts, RunSlowly) {
     for (const Profile profile : kProfiles) {
