@@ -27,7 +27,14 @@ enum class JointType : std::uint8_t {
 namespace swept::inline SWEPT_PRECISION {
 
 /// Common to all joints. Anchors are world points, axes world directions, at the poses the bodies have when the joint
-/// is made; angles and translations of a joint are 0 then. An empty limit, motor or spring does not exist.
+/// is made. An empty limit, motor or spring does not exist.
+///
+/// A joint need not be made where it holds. Its `anchor` is a point of A and B, or of A alone: then `anchorB` is the
+/// point of B that belongs there. Its angle, from which limits, springs and drives count, is 0 where it is made, or
+/// where B is turned by `referenceAngle` more than A. So bodies may begin anywhere on the way that a joint leaves them,
+/// such as a door half open. What is apart is drawn together within some steps, which leaves no speed. Whole turns
+/// between the bodies and where a joint holds or drives them, or its nearest limit, do not count: they are not turned
+/// back. Where nothing holds the angle they count.
 struct JointDef {
     BodyId bodyA{};
     BodyId bodyB{};
@@ -40,9 +47,10 @@ struct JointDef {
 
 /// Undamped it keeps its amplitude while a sub-step is less than 1/25 of its period; what is stiffer is damped by as
 /// much as a stable step needs. Its stiffness is the one with which it swings at `hertz` at the poses that the bodies
-/// have when the joint is made, with the masses that they have now: it does not change as they turn. Two kinds have
-/// their hertz at any pose instead, so that theirs changes: of a mouse joint; and of an angle between two dynamic
-/// bodies whose anchors are held together (a hinge; a weld without a linear spring).
+/// have when the joint is made (with a `referenceAngle`: with B turned to there), with the masses that they have now:
+/// it does not change as they turn. Two kinds have their hertz at any pose instead, so that theirs changes: of a mouse
+/// joint; and of an angle between two dynamic bodies whose anchors are held together (a hinge; a weld without a linear
+/// spring).
 struct Spring {
     Real hertz = 0;         ///< greater than 0; of the two bodies alone, held by nothing but this joint
     Real dampingRatio = 0;  ///< at least 0; 1 is critical
@@ -50,7 +58,7 @@ struct Spring {
     bool operator==(const Spring&) const = default;
 };
 struct AngleLimits {
-    Real lower = 0;  ///< radians from the initial relative angle
+    Real lower = 0;  ///< radians of the joint's angle
     Real upper = 0;  ///< at least `lower`
 
     bool operator==(const AngleLimits&) const = default;
@@ -65,7 +73,7 @@ struct AngularMotor {
 };
 
 struct TranslationLimits {
-    Real lower = 0;  ///< metres from the initial place, along the axis
+    Real lower = 0;  ///< metres of B's anchor from A's, along the axis
     Real upper = 0;  ///< at least `lower`
 
     bool operator==(const TranslationLimits&) const = default;
@@ -84,7 +92,9 @@ struct RevoluteJointDef {
     std::optional<AngleLimits> limits{};
     std::optional<AngularMotor> motor{};
     std::optional<Spring> spring{};
-    Real springTarget = 0;  ///< rad from the initial relative angle: where the spring pulls to
+    Real springTarget = 0;                   ///< rad of the joint's angle: where the spring pulls to
+    std::optional<DVec2> anchorB{};          ///< of B; empty: `anchor`
+    std::optional<double> referenceAngle{};  ///< rad of B beyond A; empty: the present one
 };
 
 struct LengthLimits {
@@ -112,7 +122,9 @@ struct PrismaticJointDef {
     std::optional<TranslationLimits> limits{};
     std::optional<LinearMotor> motor{};
     std::optional<Spring> spring{};
-    Real springTarget = 0;  ///< metres from the initial place, along the axis: where the spring pulls to
+    Real springTarget = 0;           ///< metres of B's anchor from A's, along the axis: where the spring pulls to
+    std::optional<DVec2> anchorB{};  ///< of B; empty: `anchor`. It may be anywhere on the axis
+    std::optional<double> referenceAngle{};  ///< rad of B beyond A, which it keeps; empty: the present one
 };
 
 /// A wheel (B) on a suspension: its anchor slides along an axis fixed in A, and it turns freely or by its motor.
@@ -122,8 +134,10 @@ struct WheelJointDef {
     DVec2 axis{0, 1};  ///< of any length greater than 0
     std::optional<TranslationLimits> limits{};
     std::optional<AngularMotor> motor{};
-    std::optional<Spring> spring{};  ///< along the axis; empty: none, the wheel slides freely
-    Real springTarget = 0;           ///< metres from the initial place, along the axis: where the spring pulls to
+    std::optional<Spring> spring{};          ///< along the axis; empty: none, the wheel slides freely
+    Real springTarget = 0;                   ///< as of a prismatic joint
+    std::optional<DVec2> anchorB{};          ///< of B; empty: `anchor`. It may be anywhere on the axis
+    std::optional<double> referenceAngle{};  ///< rad of B beyond A; empty: the present one
 };
 
 /// Two bodies as one; where a spring is given, held by that spring. The linear one and the angular one do not know of
@@ -132,8 +146,10 @@ struct WheelJointDef {
 struct WeldJointDef {
     JointDef base{};
     DVec2 anchor{};
-    std::optional<Spring> linearSpring{};   ///< empty: rigid
-    std::optional<Spring> angularSpring{};  ///< empty: rigid
+    std::optional<Spring> linearSpring{};    ///< empty: rigid
+    std::optional<Spring> angularSpring{};   ///< empty: rigid
+    std::optional<DVec2> anchorB{};          ///< of B; empty: `anchor`
+    std::optional<double> referenceAngle{};  ///< rad of B beyond A, which it keeps; empty: the present one
 };
 
 /// Where, or how fast, a motor joint drives B relative to A. A pose is approached so that the motor can stop there. (In
@@ -143,7 +159,7 @@ struct MotorDrive {
     std::optional<Vec2>
         linearOffset{};  ///< of B's origin in the frame of A, metres; empty: as it was when the joint was made
     std::optional<Vec2> linearVelocity{};   ///< of B's origin in the frame of A, m/s; then there is no offset
-    std::optional<Real> angularOffset{};    ///< rad from the initial relative angle; empty: 0
+    std::optional<Real> angularOffset{};    ///< rad of the joint's angle; empty: 0
     std::optional<Real> angularVelocity{};  ///< of B relative to A, rad/s; then there is no offset
     std::optional<Real> maxForce{};         ///< N, at least 0; empty: no linear drive
     std::optional<Real> maxTorque{};        ///< N·m, at least 0; empty: no angular drive
@@ -153,6 +169,7 @@ struct MotorDrive {
 struct MotorJointDef {
     JointDef base{};
     MotorDrive drive{};
+    std::optional<double> referenceAngle{};  ///< rad of B beyond A; empty: the present one
 };
 
 /// Pulls a point of B to a target in the world; nothing pulls at A, which may be any body: the level, say (one that is
@@ -178,15 +195,16 @@ struct GearJointDef {
     Real ratio = 1;  ///< not 0
 };
 
-/// A rope from A over two fixed wheels to B: the length on A's side + ratio · the length on B's side is at most what it
-/// is in the beginning. It pulls and never pushes.
+/// A rope from A over two fixed wheels to B: the length on A's side + ratio · the length on B's side is at most its
+/// `length`. It pulls and never pushes.
 struct PulleyJointDef {
     JointDef base{};
     DVec2 groundA{};  ///< the wheels, world points
     DVec2 groundB{};
     DVec2 anchorA{};
     DVec2 anchorB{};
-    Real ratio = 1;  ///< greater than 0
+    Real ratio = 1;                ///< greater than 0
+    std::optional<Real> length{};  ///< metres, greater than 0; empty: the present sum
 };
 
 /// Keeps two bodies from colliding with each other, and does nothing else: it ignores `collideConnected`, and bears no

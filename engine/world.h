@@ -218,9 +218,10 @@ public:
     // --- joints
     /// Errors: `notDistinct` with "bodyB", and with "jointB" of a gear; `wrongBodyType` with "bodyB" where neither body
     /// is dynamic, or B of a mouse joint is not; `wrongJointType` of what cannot be geared; `notPositive` (hertz, break
-    /// force and torque, the length of a rod or spring); `negative` (damping, strengths, shortest length, ratio of a
-    /// pulley); `degenerate` with "axis"; `outOfRange` where an upper limit is below the lower one, of a ratio of 0, or
-    /// one that makes the sum of lengths or coordinates too large, and where a drive has both offset and velocity.
+    /// force and torque, the length of a rod, spring or pulley); `negative` (damping, strengths, shortest length, ratio
+    /// of a pulley); `degenerate` with "axis"; `outOfRange` where an upper limit is below the lower one, of a ratio of
+    /// 0, or one that makes the sum of lengths or coordinates too large, and where a drive has both offset and
+    /// velocity.
     Result<JointId> createJoint(const RevoluteJointDef& def);
     Result<JointId> createJoint(const DistanceJointDef& def);
     Result<JointId> createJoint(const PrismaticJointDef& def);
@@ -241,10 +242,10 @@ public:
     AnyJointDef definition(JointId id) const;
     /// Gives a joint another definition of its kind, and touches only what is other in it: limits, motors, springs,
     /// lengths, drives and targets as their setters do, strengths, ratios, `collideConnected`, break limits,
-    /// `userData`. Its bodies, points, axes and geared joints stay, whatever `def` says of them, and so does a length
-    /// where it has none. Another ratio begins where the bodies are: the error of a gear and the slack of a pulley stay
-    /// as they are. Wakes the bodies, unless break limits and `userData` alone are others. Errors: `wrongJointType` of
-    /// another kind; else as of createJoint.
+    /// `userData`. Its bodies, points, axes, reference angles, geared joints and the rope of a pulley stay, whatever
+    /// `def` says of them, and so does a length where it has none. Another ratio begins where the bodies are: the error
+    /// of a gear and the slack of a pulley stay as they are. Wakes the bodies, unless break limits and `userData` alone
+    /// are others. Errors: `wrongJointType` of another kind; else as of createJoint.
     Status redefine(JointId id, const AnyJointDef& def);
     DVec2 anchorA(JointId id) const;  ///< where on A it holds now, world; of a mouse joint its target
     DVec2 anchorB(JointId id) const;
@@ -259,8 +260,8 @@ public:
     Status setLengthLimits(JointId id, std::optional<LengthLimits> limits);            ///< distance
     Status setLength(JointId id, Real length);                                         ///< distance: rod, spring
     Status setSpring(JointId id, std::optional<Spring> spring);  ///< revolute, distance, prismatic, wheel, mouse
-    /// Rad or metres from where they were when the joint was made. What it holds is drawn there by the spring, also
-    /// from far away. Errors: `notFinite` and `outOfRange` with "springTarget".
+    /// Rad or metres, as limits are. What it holds is drawn there by the spring, also from far away. Errors:
+    /// `notFinite` and `outOfRange` with "springTarget".
     Status setSpringTarget(JointId id, Real target);  ///< revolute, prismatic, wheel
     Status setWeldSprings(JointId id, std::optional<Spring> linear, std::optional<Spring> angular);
     Status setTarget(JointId id, DVec2 target);            ///< mouse
@@ -272,7 +273,7 @@ public:
     /// or a drive has no error, and limits of angles and translations do not count.
     Real jointError(JointId id) const;
     Real jointAngleError(JointId id) const;  ///< likewise, rad: prismatic, weld, gears that begin with a revolute joint
-    double jointAngle(JointId id) const;     ///< of B relative to A, 0 when it was made, unwrapped
+    double jointAngle(JointId id) const;     ///< of B relative to A (joint_def.h), unwrapped
     Real jointTranslation(
         JointId id) const;  ///< of B's anchor from A's: along the axis where there is one, else the distance
     // How fast these two grow, by the present velocities.

@@ -21,17 +21,17 @@ struct SceneNames {
 
 /// The world as it is now, as a scene: JSON text in the format of samples/README.md, for the `swept` command, which
 /// draws it, looks for what may go wrong in it, and compares it with Box2D. Bodies, and joints, are in the order of
-/// their slots; angles and translations of joints, their limits and targets, begin anew at the present poses. The text
-/// is locale-free, in the shortest decimal digits that give the same number again, and the same on every machine.
+/// their slots; joints begin where they are: with their gaps, angles and translations, the slack of their ropes and
+/// what loads their springs. The text is locale-free, in the shortest decimal digits that give the same number again,
+/// and the same on every machine.
 ///
 /// A scene begins where the world is, not with its bits: it has no contacts yet, nothing is held in balance. It does
-/// not have what the format has no word for: forces for the next step, contact filters and user data; how far joints
-/// are from holding (they hold in the scene, at B's anchor; `jointError` tells); the slack of pulleys and what loads
-/// the springs of welds; the second damping ratio of a weld with two springs, and what a spring's length is beyond its
-/// limits. Left out are joints that hold nothing because neither body is dynamic, and gears on those; a motor joint
-/// without strength becomes a filter. A dynamic body without mass has a milligram, one without inertia does not turn,
-/// and numbers end at 3e38, as those of scenes do. Takes about a microsecond for each number: for a report, not for
-/// every frame.
+/// not have what the format has no word for: forces for the next step, contact filters and user data; how far gears are
+/// from holding (in the scene they hold), and where motor joints count `jointTranslation` from; the second damping
+/// ratio of a weld with two springs, and what a spring's length is beyond its limits. Left out are joints that hold
+/// nothing because neither body is dynamic, and gears on those; a motor joint without strength becomes a filter. A
+/// dynamic body without mass has a milligram, one without inertia does not turn, and numbers end at 3e38, as those of
+/// scenes do. Takes about a microsecond for each number: for a report, not for every frame.
 std::string sceneOf(const World& world, const SceneNames& names = {});
 
 }  // namespace swept::inline SWEPT_PRECISION

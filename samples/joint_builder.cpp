@@ -29,6 +29,14 @@ std::optional<Motor> motorOf(const std::optional<double>& speed, const std::opti
     return Motor{realOf(speed.value_or(0)), realOf(strength.value_or(0))};
 }
 
+/// Where a joint takes hold of its bodies.
+template <class Def, class Members>
+void setGrip(Def& def, const Members& given) {
+    def.anchor = given.anchor;
+    def.anchorB = given.anchorB;
+    def.referenceAngle = given.referenceAngle;
+}
+
 struct JointMaker {
     World& world;
     JointDef base;
@@ -37,7 +45,7 @@ struct JointMaker {
     Result<JointId> operator()(const RevoluteDescription& given) const {
         RevoluteJointDef def;
         def.base = base;
-        def.anchor = given.anchor;
+        setGrip(def, given);
         def.limits = limitsOf<AngleLimits>(given.lower, given.upper);
         def.motor = motorOf<AngularMotor>(given.motorSpeed, given.maxMotorTorque);
         def.spring = springOf(given.hertz, given.dampingRatio);
@@ -60,7 +68,7 @@ struct JointMaker {
     Result<JointId> operator()(const PrismaticDescription& given) const {
         PrismaticJointDef def;
         def.base = base;
-        def.anchor = given.anchor;
+        setGrip(def, given);
         def.axis = given.axis;
         def.limits = limitsOf<TranslationLimits>(given.lower, given.upper);
         def.motor = motorOf<LinearMotor>(given.motorSpeed, given.maxMotorForce);
@@ -71,7 +79,7 @@ struct JointMaker {
     Result<JointId> operator()(const WheelDescription& given) const {
         WheelJointDef def;
         def.base = base;
-        def.anchor = given.anchor;
+        setGrip(def, given);
         def.axis = given.axis;
         def.limits = limitsOf<TranslationLimits>(given.lower, given.upper);
         def.motor = motorOf<AngularMotor>(given.motorSpeed, given.maxMotorTorque);
@@ -82,7 +90,7 @@ struct JointMaker {
     Result<JointId> operator()(const WeldDescription& given) const {
         WeldJointDef def;
         def.base = base;
-        def.anchor = given.anchor;
+        setGrip(def, given);
         def.linearSpring = springOf(given.linearHertz, given.dampingRatio);
         def.angularSpring = springOf(given.angularHertz, given.dampingRatio);
         return world.createJoint(def);
@@ -90,6 +98,7 @@ struct JointMaker {
     Result<JointId> operator()(const MotorDescription& given) const {
         MotorJointDef def;
         def.base = base;
+        def.referenceAngle = given.referenceAngle;
         if (given.linearOffset) { def.drive.linearOffset = toReal(*given.linearOffset); }
         if (given.linearVelocity) { def.drive.linearVelocity = toReal(*given.linearVelocity); }
         def.drive.angularOffset = realOf(given.angularOffset);
@@ -123,6 +132,7 @@ struct JointMaker {
         def.anchorA = given.anchorA;
         def.anchorB = given.anchorB;
         def.ratio = realOf(given.ratio);
+        def.length = realOf(given.length);
         return world.createJoint(def);
     }
     Result<JointId> operator()(const FilterJointDescription&) const {

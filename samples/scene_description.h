@@ -120,10 +120,12 @@ struct BodyDescription {
 
 struct RevoluteDescription {
     DVec2 anchor;
+    std::optional<DVec2> anchorB;          ///< omitted: `anchor`
+    std::optional<double> referenceAngle;  ///< of B beyond A; omitted: the initial one
     std::optional<double> lower, upper;
     std::optional<double> motorSpeed, maxMotorTorque;
     std::optional<double> hertz, dampingRatio;
-    std::optional<double> springTarget;  ///< rad from the initial angle; omitted: 0
+    std::optional<double> springTarget;  ///< rad; omitted: 0
 
     bool operator==(const RevoluteDescription&) const = default;
 };
@@ -137,16 +139,20 @@ struct DistanceDescription {
 };
 struct PrismaticDescription {
     DVec2 anchor;
+    std::optional<DVec2> anchorB;          ///< omitted: `anchor`
+    std::optional<double> referenceAngle;  ///< of B beyond A; omitted: the initial one
     DVec2 axis;
     std::optional<double> lower, upper;
     std::optional<double> motorSpeed, maxMotorForce;
     std::optional<double> hertz, dampingRatio;
-    std::optional<double> springTarget;  ///< metres from the initial place, along the axis; omitted: 0
+    std::optional<double> springTarget;  ///< metres, along the axis; omitted: 0
 
     bool operator==(const PrismaticDescription&) const = default;
 };
 struct WheelDescription {
     DVec2 anchor;
+    std::optional<DVec2> anchorB;          ///< omitted: `anchor`
+    std::optional<double> referenceAngle;  ///< of B beyond A; omitted: the initial one
     DVec2 axis;
     std::optional<double> lower, upper;
     std::optional<double> motorSpeed, maxMotorTorque;
@@ -157,13 +163,16 @@ struct WheelDescription {
 };
 struct WeldDescription {
     DVec2 anchor;
+    std::optional<DVec2> anchorB;                     ///< omitted: `anchor`
+    std::optional<double> referenceAngle;             ///< of B beyond A; omitted: the initial one
     std::optional<double> linearHertz, angularHertz;  ///< omitted: rigid
     std::optional<double> dampingRatio;
 
     bool operator==(const WeldDescription&) const = default;
 };
 struct MotorDescription {
-    std::optional<DVec2> linearOffset;  ///< in the frame of A; omitted: the initial one
+    std::optional<double> referenceAngle;  ///< of B beyond A; omitted: the initial one
+    std::optional<DVec2> linearOffset;     ///< in the frame of A; omitted: the initial one
     std::optional<double> angularOffset;
     std::optional<DVec2> linearVelocity;  ///< instead of an offset
     std::optional<double> angularVelocity;
@@ -189,6 +198,7 @@ struct PulleyDescription {
     DVec2 groundA, groundB;
     DVec2 anchorA, anchorB;
     double ratio = 1;
+    std::optional<double> length;  ///< omitted: the initial one
 
     bool operator==(const PulleyDescription&) const = default;
 };

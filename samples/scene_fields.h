@@ -167,14 +167,15 @@ inline constexpr auto kFields<BodyDescription> = std::make_tuple(
     field("shapes", &BodyDescription::shapes));
 
 template <>
-inline constexpr auto kFields<RevoluteDescription> =
-    std::make_tuple(required(field("anchor", &RevoluteDescription::anchor, units::kLength)),
-                    field("lower", &RevoluteDescription::lower), field("upper", &RevoluteDescription::upper),
-                    field("motorSpeed", &RevoluteDescription::motorSpeed, units::kRate),
-                    field("maxMotorTorque", &RevoluteDescription::maxMotorTorque, units::kTorque, bounds::kNotNegative),
-                    field("hertz", &RevoluteDescription::hertz, units::kRate, bounds::kPositive),
-                    field("dampingRatio", &RevoluteDescription::dampingRatio, units::kNumber, bounds::kNotNegative),
-                    field("springTarget", &RevoluteDescription::springTarget));
+inline constexpr auto kFields<RevoluteDescription> = std::make_tuple(
+    required(field("anchor", &RevoluteDescription::anchor, units::kLength)),
+    field("anchorB", &RevoluteDescription::anchorB, units::kLength),
+    field("referenceAngle", &RevoluteDescription::referenceAngle), field("lower", &RevoluteDescription::lower),
+    field("upper", &RevoluteDescription::upper), field("motorSpeed", &RevoluteDescription::motorSpeed, units::kRate),
+    field("maxMotorTorque", &RevoluteDescription::maxMotorTorque, units::kTorque, bounds::kNotNegative),
+    field("hertz", &RevoluteDescription::hertz, units::kRate, bounds::kPositive),
+    field("dampingRatio", &RevoluteDescription::dampingRatio, units::kNumber, bounds::kNotNegative),
+    field("springTarget", &RevoluteDescription::springTarget));
 
 template <>
 inline constexpr auto kFields<DistanceDescription> =
@@ -189,6 +190,8 @@ inline constexpr auto kFields<DistanceDescription> =
 template <>
 inline constexpr auto kFields<PrismaticDescription> = std::make_tuple(
     required(field("anchor", &PrismaticDescription::anchor, units::kLength)),
+    field("anchorB", &PrismaticDescription::anchorB, units::kLength),
+    field("referenceAngle", &PrismaticDescription::referenceAngle),
     required(field("axis", &PrismaticDescription::axis)), field("lower", &PrismaticDescription::lower, units::kLength),
     field("upper", &PrismaticDescription::upper, units::kLength),
     field("motorSpeed", &PrismaticDescription::motorSpeed, units::kSpeed),
@@ -200,8 +203,9 @@ inline constexpr auto kFields<PrismaticDescription> = std::make_tuple(
 template <>
 inline constexpr auto kFields<WheelDescription> = std::make_tuple(
     required(field("anchor", &WheelDescription::anchor, units::kLength)),
-    required(field("axis", &WheelDescription::axis)), field("lower", &WheelDescription::lower, units::kLength),
-    field("upper", &WheelDescription::upper, units::kLength),
+    field("anchorB", &WheelDescription::anchorB, units::kLength),
+    field("referenceAngle", &WheelDescription::referenceAngle), required(field("axis", &WheelDescription::axis)),
+    field("lower", &WheelDescription::lower, units::kLength), field("upper", &WheelDescription::upper, units::kLength),
     field("motorSpeed", &WheelDescription::motorSpeed, units::kRate),
     field("maxMotorTorque", &WheelDescription::maxMotorTorque, units::kTorque, bounds::kNotNegative),
     field("hertz", &WheelDescription::hertz, units::kRate, bounds::kPositive),
@@ -211,13 +215,16 @@ inline constexpr auto kFields<WheelDescription> = std::make_tuple(
 template <>
 inline constexpr auto kFields<WeldDescription> =
     std::make_tuple(required(field("anchor", &WeldDescription::anchor, units::kLength)),
+                    field("anchorB", &WeldDescription::anchorB, units::kLength),
+                    field("referenceAngle", &WeldDescription::referenceAngle),
                     field("linearHertz", &WeldDescription::linearHertz, units::kRate, bounds::kPositive),
                     field("angularHertz", &WeldDescription::angularHertz, units::kRate, bounds::kPositive),
                     field("dampingRatio", &WeldDescription::dampingRatio, units::kNumber, bounds::kNotNegative));
 
 template <>
 inline constexpr auto kFields<MotorDescription> =
-    std::make_tuple(field("linearOffset", &MotorDescription::linearOffset, units::kLength),
+    std::make_tuple(field("referenceAngle", &MotorDescription::referenceAngle),
+                    field("linearOffset", &MotorDescription::linearOffset, units::kLength),
                     field("angularOffset", &MotorDescription::angularOffset),
                     field("linearVelocity", &MotorDescription::linearVelocity, units::kSpeed),
                     field("angularVelocity", &MotorDescription::angularVelocity, units::kRate),
@@ -244,7 +251,8 @@ inline constexpr auto kFields<PulleyDescription> =
                     required(field("groundB", &PulleyDescription::groundB, units::kLength)),
                     required(field("anchorA", &PulleyDescription::anchorA, units::kLength)),
                     required(field("anchorB", &PulleyDescription::anchorB, units::kLength)),
-                    field("ratio", &PulleyDescription::ratio, units::kNumber, bounds::kPositive));
+                    field("ratio", &PulleyDescription::ratio, units::kNumber, bounds::kPositive),
+                    field("length", &PulleyDescription::length, units::kLength, bounds::kPositive));
 
 template <>
 inline constexpr auto kFields<FilterJointDescription> = std::make_tuple();

@@ -126,7 +126,10 @@ Status checkParts(const GearJointDef& def) { return checkRatio(def.ratio); }
 Status checkParts(const PulleyJointDef& def) {
     const Status ratio = checkRatio(def.ratio);
     if (!ratio.ok()) { return ratio; }
-    return def.ratio < 0 ? Status{StatusCode::negative, "ratio"} : Status::success();
+    if (def.ratio < 0) { return {StatusCode::negative, "ratio"}; }
+    const Real length = def.length.value_or(1);
+    if (!isFinite(length)) { return {StatusCode::notFinite, "length"}; }
+    return length > 0 ? Status::success() : Status{StatusCode::notPositive, "length"};
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,8 +1,5 @@
 #include "joint_switch.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <variant>
 
 #include "../bodies/awake.h"
@@ -11,24 +8,12 @@
 #include "../solve/joint_place.h"
 #include "../solve/joint_results.h"
 #include "../state/number_range.h"
+#include "joint_turns.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 using GearPart = JointPart<GearJointDef, GearConstraint>;
-
-/// Of the angles at which a joint lets its bodies rest the one nearest to theirs, rad. Where it has none, that at which
-/// it was made.
-double restAngleOf(const Joint& joint, double angle) {
-    if (const auto* const hinge = std::get_if<HingePart>(&joint.parts); hinge != nullptr && hinge->def.limits) {
-        const AngleLimits& limits = *hinge->def.limits;
-        return std::clamp(angle, static_cast<double>(limits.lower), static_cast<double>(limits.upper));
-    }
-    if (const auto* const motor = std::get_if<JointPart<MotorJointDef, MotorConstraint>>(&joint.parts)) {
-        return static_cast<double>(motor->def.drive.angularOffset.value_or(0));
-    }
-    return 0;
-}
 
 void setConstant(Joint& gear, double constant) {
     if (isInRange(constant)) { gear.gearConstant = constant; }
@@ -52,10 +37,8 @@ void recountGears(WorldState& world, JointId hinge, double less) {
 /// A joint takes hold of its bodies as they are by then: nothing is turned back by whole turns, and a gear goes on from
 /// where its wheels are.
 void takeHold(WorldState& world, std::uint32_t slot) {
-    constexpr double kTurn = 2 * std::numbers::pi;
     Joint& joint = world.joints[slot];
-    const double angle = angleOf(world, joint);
-    const double turns = kTurn * std::round((angle - restAngleOf(joint, angle)) / kTurn);
+    const double turns = turnsOff(joint, angleOf(world, joint));
     joint.referenceAngle += turns;
     if (turns != 0 && joint.type() == JointType::revolute) { recountGears(world, world.joints.idOf(slot), turns); }
     const auto* const gear = std::get_if<GearPart>(&joint.parts);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "../solve/joint_place.h"
@@ -30,9 +31,6 @@ JointType typeInScene(const Joint& joint) {
     return motor != nullptr && !hasStrength(motor->def.drive) ? JointType::filter : joint.type();
 }
 
-/// In double: a float would lose digits of a limit that is beyond many turns.
-Real lessBy(Real coordinate, double now) { return static_cast<Real>(static_cast<double>(coordinate) - now); }
-
 template <class Value>
 void addGiven(JsonObject& out, const char* key, const std::optional<Value>& value) {
     if (value) { out.add(key, *value); }
@@ -45,7 +43,7 @@ void addSpring(JsonObject& out, const std::optional<Spring>& spring) {
 }
 
 /// The same stiffness with another mass, and the same speed at which it loses its swing (`TurningSpring`). What moves
-/// along a rod or the axis of a wheel is another one where the bodies turned since the joint was made.
+/// along a rod is another one where the bodies turned since the joint was made.
 std::optional<Spring> withMass(const std::optional<Spring>& spring, Real before, Real now) {
     if (!spring || !(before > 0) || !(now > 0)) { return spring; }
     const Real faster = std::sqrt(before / now);
@@ -56,10 +54,10 @@ std::optional<Spring> withMass(const std::optional<Spring>& spring, Real before,
 bool isFar(Real number) { return !(std::fabs(static_cast<double>(number)) < kLargestInScene / 2); }
 
 template <class Limits>
-void addLimits(JsonObject& out, const std::optional<Limits>& limits, double now) {
+void addLimits(JsonObject& out, const std::optional<Limits>& limits) {
     if (!limits) { return; }
-    if (!isFar(limits->lower)) { out.add("lower", lessBy(limits->lower, now)); }
-    if (!isFar(limits->upper)) { out.add("upper", lessBy(limits->upper, now)); }
+    if (!isFar(limits->lower)) { out.add("lower", limits->lower); }
+    if (!isFar(limits->upper)) { out.add("upper", limits->upper); }
 }
 void addBreakLimit(JsonObject& out, const char* key, const std::optional<Real>& limit) {
     if (limit && !isFar(*limit)) { out.add(key, *limit); }
@@ -84,17 +82,11 @@ struct JointMembers {
     JsonObject& out;
 
     void operator()(const HingePart& part) const {
-        out.add("anchor", anchorBOf(world, joint));
-        addGuide(part.def, angleOf(world, joint));
+        addGrip();
+        addGuide(part.def);
     }
     void operator()(const JointPart<PrismaticJointDef, PrismaticConstraint>& part) const { addSlide(part.def); }
-    void operator()(const JointPart<WheelJointDef, WheelConstraint>& part) const {
-        WheelJointDef def = part.def;
-        Joint now = madeNow(axisOf(world, joint));
-        now.localAnchorA = applyInverse(world.motions[joint.bodyA].pose, anchorBOf(world, joint));
-        def.spring = withMass(def.spring, wheelMassOf(world, joint), wheelMassOf(world, now));
-        addSlide(def);
-    }
+    void operator()(const JointPart<WheelJointDef, WheelConstraint>& part) const { addSlide(part.def); }
     void operator()(const JointPart<DistanceJointDef, DistanceConstraint>& part) const {
         const DistanceJointDef& def = part.def;
         out.add("anchorA", anchorAOf(world, joint));
@@ -109,7 +101,7 @@ struct JointMembers {
     }
     void operator()(const JointPart<WeldJointDef, WeldConstraint>& part) const {
         const WeldJointDef& def = part.def;
-        out.add("anchor", anchorBOf(world, joint));
+        addGrip();
         if (def.linearSpring) { out.add("linearHertz", def.linearSpring->hertz); }
         if (def.angularSpring) { out.add("angularHertz", def.angularSpring->hertz); }
         const std::optional<Spring>& damped = def.linearSpring ? def.linearSpring : def.angularSpring;
@@ -117,6 +109,7 @@ struct JointMembers {
     }
     void operator()(const MotorPart& part) const {
         const MotorDrive& drive = part.def.drive;
+        addReference();
         if (drive.maxForce) {
             if (drive.linearVelocity) {
                 out.add("linearVelocity", *drive.linearVelocity);
@@ -128,7 +121,7 @@ struct JointMembers {
             if (drive.angularVelocity) {
                 out.add("angularVelocity", *drive.angularVelocity);
             } else {
-                out.add("angularOffset", lessBy(drive.angularOffset.value_or(0), angleOf(world, joint)));
+                out.addUnless("angularOffset", drive.angularOffset.value_or(0), Real(0));
             }
         }
         addGiven(out, "maxForce", drive.maxForce);
@@ -151,10 +144,25 @@ struct JointMembers {
         out.add("anchorA", anchorAOf(world, joint));
         out.add("anchorB", anchorBOf(world, joint));
         out.add("ratio", part.def.ratio);
+        out.add("length", std::max(joint.length, kLeastLength));
     }
     void operator()(const FilterPart&) const {}
 
 private:
+    /// One point, where the two are one but for what rounding keeps apart.
+    void addGrip() const {
+        const DVec2 anchorA = anchorAOf(world, joint);
+        const DVec2 anchorB = anchorBOf(world, joint);
+        const double arms = length(toDouble(joint.localAnchorA)) + length(toDouble(joint.localAnchorB));
+        constexpr double kRounding = 4 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+        const bool isOne = length(anchorB - anchorA) <= kRounding * arms;
+        out.add("anchor", isOne ? anchorB : anchorA);
+        if (!isOne) { out.add("anchorB", anchorB); }
+        addReference();
+    }
+    void addReference() const {
+        if (angleOf(world, joint) != 0) { out.add("referenceAngle", joint.referenceAngle); }
+    }
     /// The joint if it were made at the present poses, as far as masses go. @param axis  unit, world
     Joint madeNow(Vec2 axis) const {
         Joint now = joint;
@@ -162,19 +170,18 @@ private:
         now.localAxisB = unrotate(world.motions[joint.bodyB].pose.rotation, axis);
         return now;
     }
-    /// @param now  its coordinate, which is 0 in the scene
     template <class Def>
-    void addGuide(const Def& def, double now) const {
-        addLimits(out, def.limits, now);
+    void addGuide(const Def& def) const {
+        addLimits(out, def.limits);
         addMotor(out, def.motor);
         addSpring(out, def.spring);
-        if (def.spring) { out.add("springTarget", lessBy(def.springTarget, now)); }
+        if (def.spring) { out.addUnless("springTarget", def.springTarget, Real(0)); }
     }
     template <class Def>
     void addSlide(const Def& def) const {
-        out.add("anchor", anchorBOf(world, joint));
+        addGrip();
         out.add("axis", axisOf(world, joint));
-        addGuide(def, static_cast<double>(translationOf(world, joint)));
+        addGuide(def);
     }
     Real lengthWithin(const std::optional<LengthLimits>& limits) const {
         const Real within = limits ? std::clamp(joint.length, limits->min, limits->max) : joint.length;

@@ -117,6 +117,7 @@ struct PartSetter {
     }
     bool operator()(PulleyJointDef& before, const PulleyJointDef& now) const {
         joint.length = static_cast<Real>(constantOf(world, joint, before, now.ratio));
+        if (before.length) { before.length = joint.length; }
         return std::exchange(before.ratio, now.ratio) != now.ratio;
     }
     bool operator()(FilterJointDef&, const FilterJointDef&) const { return false; }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "../../shapes/room.h"
 #include "../bodies/awake.h"
@@ -11,6 +12,7 @@
 #include "../state/world_state.h"
 #include "../world.h"
 #include "joint_checks.h"
+#include "joint_turns.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -19,8 +21,31 @@ namespace {
 struct Grip {
     DVec2 anchorA;
     DVec2 anchorB;
-    DVec2 axis;
+    DVec2 axis{};
+    std::optional<double> referenceAngle{};
 };
+
+/// @pre its numbers are good
+template <class Def>
+Grip gripOf(const Def& def, DVec2 axis = {}) {
+    return {def.anchor, def.anchorB.value_or(def.anchor), axis, def.referenceAngle};
+}
+
+Status checkReference(const std::optional<double>& angle) { return checkNumber(angle.value_or(0), "referenceAngle"); }
+
+template <class Def>
+Status checkGrip(const Def& def) {
+    return firstFault({checkNumber(def.anchor, "anchor"), checkNumber(def.anchorB.value_or(DVec2{}), "anchorB"),
+                       checkReference(def.referenceAngle)});
+}
+
+/// A joint whose angle is 0 elsewhere than where its bodies are now. Where it holds the angle it holds it there: so
+/// does what its springs turn.
+void refer(Joint& joint, double angle) {
+    const double now = joint.referenceAngle - angle;
+    joint.localAxisB = unrotate(rotationFromAngle(angle), joint.localAxis);
+    joint.referenceAngle = angle + (mayTurnOn(joint) ? 0 : turnsOff(joint, now));
+}
 
 Joint jointOf(const WorldState& world, const JointDef& base, JointParts parts, const Grip& grip) {
     Joint joint;
@@ -41,6 +66,7 @@ Joint jointOf(const WorldState& world, const JointDef& base, JointParts parts, c
     joint.localAxis = unrotate(poseA.rotation, unit);
     joint.localAxisB = unrotate(world.motions[joint.bodyB].pose.rotation, unit);
     joint.referenceAngle = world.motions[joint.bodyB].angle - world.motions[joint.bodyA].angle;
+    if (grip.referenceAngle) { refer(joint, *grip.referenceAngle); }
     return joint;
 }
 
@@ -97,10 +123,10 @@ void addBody(Joint& gear, std::uint32_t body) {
 
 Result<JointId> World::createJoint(const RevoluteJointDef& def) {
     WorldState& world = *state_;
-    const Status status = firstFault({checkBase(world, def.base), checkParts(def), checkNumber(def.anchor, "anchor")});
+    const Status status = firstFault({checkBase(world, def.base), checkParts(def), checkGrip(def)});
     if (!status.ok()) { return status; }
     const HingePart part{def};
-    return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, {}}));
+    return insert(world, jointOf(world, def.base, part, gripOf(def)));
 }
 
 Result<JointId> World::createJoint(const DistanceJointDef& def) {
@@ -118,37 +144,37 @@ Result<JointId> World::createJoint(const DistanceJointDef& def) {
 
 Result<JointId> World::createJoint(const PrismaticJointDef& def) {
     WorldState& world = *state_;
-    const Status status = firstFault(
-        {checkBase(world, def.base), checkParts(def), checkNumber(def.anchor, "anchor"), checkAxis(def.axis)});
+    const Status status =
+        firstFault({checkBase(world, def.base), checkParts(def), checkGrip(def), checkAxis(def.axis)});
     if (!status.ok()) { return status; }
     const JointPart<PrismaticJointDef, PrismaticConstraint> part{def, {}};
-    return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, def.axis}));
+    return insert(world, jointOf(world, def.base, part, gripOf(def, def.axis)));
 }
 
 Result<JointId> World::createJoint(const WheelJointDef& def) {
     WorldState& world = *state_;
-    const Status status = firstFault(
-        {checkBase(world, def.base), checkParts(def), checkNumber(def.anchor, "anchor"), checkAxis(def.axis)});
+    const Status status =
+        firstFault({checkBase(world, def.base), checkParts(def), checkGrip(def), checkAxis(def.axis)});
     if (!status.ok()) { return status; }
     const JointPart<WheelJointDef, WheelConstraint> part{def, {}};
-    return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, def.axis}));
+    return insert(world, jointOf(world, def.base, part, gripOf(def, def.axis)));
 }
 
 Result<JointId> World::createJoint(const WeldJointDef& def) {
     WorldState& world = *state_;
-    const Status status = firstFault({checkBase(world, def.base), checkParts(def), checkNumber(def.anchor, "anchor")});
+    const Status status = firstFault({checkBase(world, def.base), checkParts(def), checkGrip(def)});
     if (!status.ok()) { return status; }
     const JointPart<WeldJointDef, WeldConstraint> part{def, {}};
-    return insert(world, jointOf(world, def.base, part, {def.anchor, def.anchor, {}}));
+    return insert(world, jointOf(world, def.base, part, gripOf(def)));
 }
 
 Result<JointId> World::createJoint(const MotorJointDef& def) {
     WorldState& world = *state_;
-    const Status status = firstFault({checkBase(world, def.base), checkParts(def)});
+    const Status status = firstFault({checkBase(world, def.base), checkParts(def), checkReference(def.referenceAngle)});
     if (!status.ok()) { return status; }
     const DVec2 origin = world.motions[def.base.bodyB.index].pose.position;
     const JointPart<MotorJointDef, MotorConstraint> part{def, {}};
-    return insert(world, jointOf(world, def.base, part, {origin, origin, {}}));
+    return insert(world, jointOf(world, def.base, part, {origin, origin, {}, def.referenceAngle}));
 }
 
 Result<JointId> World::createJoint(const MouseJointDef& def) {
@@ -200,7 +226,7 @@ Result<JointId> World::createJoint(const PulleyJointDef& def) {
     if (!isInRange(rope)) { return Status{StatusCode::outOfRange, "ratio"}; }
     const JointPart<PulleyJointDef, PulleyConstraint> part{def, {}};
     Joint joint = jointOf(world, def.base, part, {def.anchorA, def.anchorB, {}});
-    joint.length = static_cast<Real>(rope);
+    joint.length = def.length.value_or(static_cast<Real>(rope));
     return insert(world, std::move(joint));
 }
 

@@ -26,7 +26,7 @@ struct JointErrors {
 /// How far a hinge, slider or wheel is beyond its limits. (A distance joint that is has an error.)
 JointErrors limitErrorsOf(const WorldState& world, const Joint& joint);
 
-/// Angle of B relative to A beyond the initial one, rad.
+/// Angle of B relative to A beyond that of reference, rad.
 double angleOf(const WorldState& world, const Joint& joint);
 /// Of B's anchor from A's: along the axis where there is one, else the distance. Metres.
 Real translationOf(const WorldState& world, const Joint& joint);

@@ -54,14 +54,12 @@ TurningSpring turningSpring(const Spring& spring, Real h, Real mass) {
 
 Real rodMassOf(const WorldState& world, const Joint& joint) { return inverseOf(Rest(world, joint).pin.matrix.xx); }
 
-Real wheelMassOf(const WorldState& world, const Joint& joint) { return massAlong(Rest(world, joint).pin.matrix); }
-
 TurningSpring rodSpringOf(const WorldState& world, const Joint& joint, const Spring& spring, Real h) {
     return turningSpring(spring, h, rodMassOf(world, joint));
 }
 
 TurningSpring wheelSpringOf(const WorldState& world, const Joint& joint, const Spring& spring, Real h) {
-    return turningSpring(spring, h, wheelMassOf(world, joint));
+    return turningSpring(spring, h, massAlong(Rest(world, joint).pin.matrix));
 }
 
 TurningSpring sliderSpringOf(const WorldState& world, const Joint& joint, const Spring& spring, Real h) {

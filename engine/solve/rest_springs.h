@@ -7,9 +7,8 @@ namespace swept::inline SWEPT_PRECISION {
 /// Springs of fixed stiffness (`TurningSpring`): that with which they swing at their hertz as the joint was made, with
 /// the masses that the bodies have now. @param h  length of a sub-step, s
 
-/// What is moved along the rod, or along the axis of a wheel, as the joint was made, kg.
+/// What is moved along the rod as the joint was made, kg.
 Real rodMassOf(const WorldState& world, const Joint& joint);
-Real wheelMassOf(const WorldState& world, const Joint& joint);
 TurningSpring rodSpringOf(const WorldState& world, const Joint& joint, const Spring& spring, Real h);
 TurningSpring wheelSpringOf(const WorldState& world, const Joint& joint, const Spring& spring, Real h);
 /// Of a slider what moves along the axis is the same wherever it stands.

@@ -82,16 +82,16 @@ struct Joint {
     // What each step asks of a hinge comes first and close together: 64 bytes in float, without its spring.
     std::uint32_t bodyA = 0;  ///< slots
     std::uint32_t bodyB = 0;
-    double referenceAngle = 0;  ///< angle of B minus angle of A at creation
+    double referenceAngle = 0;  ///< angle of B minus angle of A where its own is 0
     Vec2 localAnchorA;          ///< body frames
     Vec2 localAnchorB;
     Vec2 reactionForce;       ///< on B, mean of the last step, N
     Real reactionTorque = 0;  ///< on B, N·m
     HingeMemory hinge;
     JointParts parts;
-    Real length = 0;                                       ///< of a rod or spring, or all of a pulley's rope, metres
-    Vec2 localAxis;                                        ///< unit, in the frame of A; of what has none, any
-    Vec2 localAxisB;                                       ///< the same in the frame of B, at creation
+    Real length = 0;  ///< of a rod or spring, or all of a pulley's rope, metres
+    Vec2 localAxis;   ///< unit, in the frame of A; of what has none, any
+    Vec2 localAxisB;  ///< the same in the frame of B, as it was made (rest_springs.h)
     std::array<std::uint32_t, kMostJointBodies> bodies{};  ///< all that it ties together: A, B, and a gear's others
     std::size_t bodyCount = 0;
     JointLoad restLoad;

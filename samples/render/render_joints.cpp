@@ -83,26 +83,30 @@ struct DrawingMaker {
         drawing.localA = toLocal(a, onA);
         drawing.localB = toLocal(b, onB);
     }
+    template <class Members>
+    static DVec2 anchorB(const Members& joint) {
+        return joint.anchorB.value_or(joint.anchor);
+    }
     void axis(DVec2 world) const {
         const double size = std::hypot(world.x, world.y);
         drawing.localAxis = size > 0 ? turned(-a.angle, (1 / size) * world) : DVec2{};
     }
-    void operator()(const RevoluteDescription& joint) const { anchors(JointMark::pin, joint.anchor, joint.anchor); }
+    void operator()(const RevoluteDescription& joint) const { anchors(JointMark::pin, joint.anchor, anchorB(joint)); }
     void operator()(const DistanceDescription& joint) const {
         anchors(joint.hertz ? JointMark::spring : JointMark::rod, joint.anchorA, joint.anchorB);
     }
     void operator()(const PrismaticDescription& joint) const {
-        anchors(JointMark::slide, joint.anchor, joint.anchor);
+        anchors(JointMark::slide, joint.anchor, anchorB(joint));
         axis(joint.axis);
         drawing.sprung = joint.hertz.has_value();
     }
     void operator()(const WheelDescription& joint) const {
-        anchors(JointMark::wheel, joint.anchor, joint.anchor);
+        anchors(JointMark::wheel, joint.anchor, anchorB(joint));
         axis(joint.axis);
         drawing.sprung = joint.hertz.has_value();
     }
     void operator()(const WeldDescription& joint) const {
-        anchors(JointMark::seam, joint.anchor, joint.anchor);
+        anchors(JointMark::seam, joint.anchor, anchorB(joint));
         drawing.sprung = joint.linearHertz || joint.angularHertz;
     }
     void operator()(const MotorDescription& joint) const {

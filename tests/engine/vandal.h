@@ -140,6 +140,13 @@ private:
         if (id.ok()) { ++joined_[static_cast<std::size_t>(world_.type(id.value()))]; }
         return remember(id, known_.joints);
     }
+    /// Where its bodies need not be.
+    template <class Def>
+    Def apart(Def def) {
+        def.anchorB = seldom([&] { return place(); });
+        def.referenceAngle = seldom([&] { return number(); });
+        return def;
+    }
     /// Random ids hardly ever name two joints that a gear can couple: without two of them, one is made.
     Status makeGear() {
         std::vector<JointId> fit;
@@ -150,34 +157,35 @@ private:
             }
         }
         if (fit.size() < 2) {
-            return join(RevoluteJointDef{anyBodies(), place(), angleLimits(), angularMotor(), spring()});
+            return join(apart(RevoluteJointDef{anyBodies(), place(), angleLimits(), angularMotor(), spring()}));
         }
         return join(GearJointDef{{}, any(fit), any(fit), realNumber()});
     }
     Status makeJoint() {
         switch (static_cast<JointType>(random().integer(0, kJointTypes - 1))) {
             case JointType::revolute:
-                return join(RevoluteJointDef{anyBodies(), place(), angleLimits(), angularMotor(), spring()});
+                return join(apart(RevoluteJointDef{anyBodies(), place(), angleLimits(), angularMotor(), spring()}));
             case JointType::distance:
                 return join(DistanceJointDef{anyBodies(), place(), place(), seldom([&] { return realPositive(); }),
                                              lengthLimits(), spring()});
             case JointType::prismatic:
-                return join(
-                    PrismaticJointDef{anyBodies(), place(), place(), translationLimits(), linearMotor(), spring()});
+                return join(apart(
+                    PrismaticJointDef{anyBodies(), place(), place(), translationLimits(), linearMotor(), spring()}));
             case JointType::wheel:
                 return join(
-                    WheelJointDef{anyBodies(), place(), place(), translationLimits(), angularMotor(), spring()});
+                    apart(WheelJointDef{anyBodies(), place(), place(), translationLimits(), angularMotor(), spring()}));
             case JointType::weld:
-                return join(WeldJointDef{anyBodies(), place(), spring(), spring()});
+                return join(apart(WeldJointDef{anyBodies(), place(), spring(), spring()}));
             case JointType::motor:
-                return join(MotorJointDef{anyBodies(), drive()});
+                return join(MotorJointDef{anyBodies(), drive(), seldom([&] { return number(); })});
             case JointType::mouse:
                 return join(MouseJointDef{anyBodies(), place(), seldom([&] { return place(); }), spring(),
                                           seldom([&] { return realPositive(); })});
             case JointType::gear:
                 return makeGear();
             case JointType::pulley:
-                return join(PulleyJointDef{anyBodies(), place(), place(), place(), place(), realPositive()});
+                return join(PulleyJointDef{anyBodies(), place(), place(), place(), place(), realPositive(),
+                                           seldom([&] { return realPositive(); })});
             case JointType::filter:
                 return join(FilterJointDef{anyBodies()});
         }

@@ -31,6 +31,32 @@ Swing swing(Def def, BodyType baseType = BodyType::fixed) {
     return swing;
 }
 
+/// Where it is, and what it counts from there.
+void expectSameJoint(const World& world, JointId joint, const World& other, JointId twin, const std::string& what) {
+    const double rounding = kIsDouble ? 1e-12 : 2e-6;
+    EXPECT_NEAR(static_cast<double>(other.jointError(twin)), static_cast<double>(world.jointError(joint)), rounding)
+        << what;
+    EXPECT_NEAR(static_cast<double>(other.jointAngleError(twin)), static_cast<double>(world.jointAngleError(joint)),
+                rounding)
+        << what;
+    if (world.type(joint) != JointType::motor) {  // which counts it from where it is made
+        EXPECT_NEAR(static_cast<double>(other.jointTranslation(twin)),
+                    static_cast<double>(world.jointTranslation(joint)), rounding)
+            << what;
+        EXPECT_LE(length(other.anchorA(twin) - world.anchorA(joint)), 1e-6) << what;
+        EXPECT_LE(length(other.anchorB(twin) - world.anchorB(joint)), 1e-6) << what;
+    }
+    const auto hasLimits = [&](const auto& mine) {
+        const auto its = std::get<std::decay_t<decltype(mine)>>(other.definition(twin));
+        if constexpr (requires { mine.limits; }) { EXPECT_EQ(mine.limits, its.limits) << what; }
+        if constexpr (requires { mine.springTarget; }) { EXPECT_EQ(mine.springTarget, its.springTarget) << what; }
+        if constexpr (requires { mine.axis; }) {  // not a rod, nor what has no angle of its own
+            EXPECT_NEAR(other.jointAngle(twin), world.jointAngle(joint), 1e-12) << what;
+        }
+    };
+    std::visit(hasLimits, world.definition(joint));
+}
+
 /// From 0.4 s on it goes on as the world itself does: limits, targets and motors are where they were.
 template <class Def>
 void expectToGoOn(const Def& def, double tolerance, const std::string& what, BodyType baseType = BodyType::fixed) {
@@ -40,6 +66,7 @@ void expectToGoOn(const Def& def, double tolerance, const std::string& what, Bod
     SceneWorld again = rebuilt(text, what);
     ASSERT_EQ(again.joints.size(), 1U) << text;
     EXPECT_EQ(again.world.type(again.joints[0]), first.world.type(first.joint)) << what;
+    expectSameJoint(first.world, first.joint, again.world, again.joints[0], what);
     run(first.world, 120);
     run(again.world, 120);
     const DVec2 wanted = first.world.position(first.bar);
@@ -153,8 +180,45 @@ TEST(WorldScene, AxesAreWhereTheyTurnedTo) {
     const double begun = length(world.position(sled) - world.position(base)) - 1;
     EXPECT_NEAR(begun, 0.25, 1e-3) << "flung out to its limit";
     EXPECT_NEAR(static_cast<double>(world.jointTranslation(joint)), 0.25, 1e-3);
-    EXPECT_NEAR(static_cast<double>(again.world.jointTranslation(again.joints[0])), 0, 1e-3) << "which is its zero now";
+    EXPECT_NEAR(static_cast<double>(again.world.jointTranslation(again.joints[0])), 0.25, 1e-3) << "and still there";
     expectAtMost("place, m", length(again.world.position(again.bodies[1]) - world.position(sled)), 1e-4);
+}
+
+/// Apart, turned, slack, or drawn out: what a joint lacks of holding, and what loads a spring, is in the scene.
+TEST(WorldScene, JointsThatDoNotHoldBeginSo) {
+    const auto expectKept = [](auto def, const std::string& what) {
+        Swing first = swing(def);
+        must(first.world.setPose(first.bar, {1.25, 5.5}, 0.75));
+        const SceneWorld again = rebuilt(sceneOf(first.world), what);
+        ASSERT_EQ(again.joints.size(), 1U) << what;
+        expectSameJoint(first.world, first.joint, again.world, again.joints[0], what);
+        World other = first.world;
+        must(other.setAwake(first.bar, true));
+        SceneWorld moves = rebuilt(sceneOf(first.world), what);
+        run(other, 60);
+        run(moves.world, 60);
+        expectAtMost(what + ": a second later, m",
+                     length(moves.world.position(moves.bodies[1]) - other.position(first.bar)), 0.01);
+        expectAtMost(what + ": a second later, rad",
+                     std::fabs(moves.world.angle(moves.bodies[1]) - other.angle(first.bar)), 0.02);
+    };
+    const Spring spring{real(2), real(0.2)};
+    expectKept(RevoluteJointDef{.anchor = {0.2, 5}, .limits = AngleLimits{real(-2), real(2)}}, "hinge");
+    expectKept(PrismaticJointDef{.anchor = {0.2, 5}, .axis = {3, 1}, .spring = spring}, "slider");
+    expectKept(WheelJointDef{.anchor = {1, 5}, .axis = {1, 2}, .spring = spring}, "wheel");
+    expectKept(WeldJointDef{.anchor = {0.5, 5}}, "weld");
+    expectKept(WeldJointDef{.anchor = {0.5, 5}, .linearSpring = spring}, "weld on a spring");
+    expectKept(WeldJointDef{.anchor = {0.5, 5}, .linearSpring = spring, .angularSpring = spring}, "weld on springs");
+    MotorJointDef motor;
+    motor.drive.maxForce = real(80);
+    motor.drive.maxTorque = real(20);
+    expectKept(motor, "motor joint");
+    PulleyJointDef rope;
+    rope.groundA = {-1, 9};
+    rope.groundB = {2, 9};
+    rope.anchorA = {0, 5};
+    rope.anchorB = {1, 5};
+    expectKept(rope, "slack rope");
 }
 
 TEST(WorldScene, BuiltInScenesAreReadAgainWhereverTheyAre) {

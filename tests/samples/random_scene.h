@@ -166,7 +166,7 @@ private:
 
     RevoluteDescription revolute() {
         RevoluteDescription r;
-        r.anchor = vector();
+        fillGrip(r);
         r.lower = maybe(-positive());
         r.upper = maybe(positive());
         r.maxMotorTorque = maybe(positive());
@@ -190,10 +190,18 @@ private:
         return d;
     }
 
+    /// Where a joint takes hold of its bodies.
+    template <class Members>
+    void fillGrip(Members& m) {
+        m.anchor = vector();
+        m.anchorB = maybe(vector());
+        m.referenceAngle = maybe(number());
+    }
+
     /// Members that prismatic and wheel joints have in common.
     template <class Members>
     void fillSlide(Members& m, std::optional<double>& strength) {
-        m.anchor = vector();
+        fillGrip(m);
         m.axis = vector();
         m.lower = maybe(-positive());
         m.upper = maybe(positive());
@@ -206,6 +214,7 @@ private:
 
     MotorDescription motor() {
         MotorDescription m;
+        m.referenceAngle = maybe(number());
         m.maxForce = positive();
         m.maxTorque = positive();
         if (often()) {
@@ -231,6 +240,17 @@ private:
         return m;
     }
 
+    PulleyDescription pulley() {
+        PulleyDescription m;
+        m.groundA = vector();
+        m.groundB = vector();
+        m.anchorA = vector();
+        m.anchorB = vector();
+        m.ratio = positive();
+        m.length = maybe(positive());
+        return m;
+    }
+
     // Gears need two other joints, and come last.
     JointGeometry geometryOfJoint() {
         switch (random_.integer(0, 8)) {
@@ -250,7 +270,7 @@ private:
             }
             case 4: {
                 WeldDescription m;
-                m.anchor = vector();
+                fillGrip(m);
                 m.linearHertz = maybe(positive());
                 m.angularHertz = maybe(positive());
                 if (m.linearHertz || m.angularHertz) { m.dampingRatio = maybe(positive()); }
@@ -261,7 +281,7 @@ private:
             case 6:
                 return mouse();
             case 7:
-                return PulleyDescription{vector(), vector(), vector(), vector(), positive()};
+                return pulley();
             default:
                 return FilterJointDescription{};
         }

@@ -286,7 +286,7 @@ std::vector<JointGeometry> jointsOfEachType() {
     mouse.target = {0, 1};
     mouse.anchor = DVec2{1, 0};
     return {revolute, distance, prismatic, wheel,
-            weld,     motor,    mouse,     PulleyDescription{{-1, 1}, {1, 1}, {-1, 0}, {1, 0}, 1}};
+            weld,     motor,    mouse,     PulleyDescription{{-1, 1}, {1, 1}, {-1, 0}, {1, 0}, 1, {}}};
 }
 
 /// Pixels that differ when the joints of a scene are taken away.

@@ -179,11 +179,14 @@ TEST(SceneKeys, OfShapes) {
 TEST(SceneKeys, OfJoints) {
     const SceneDescription scene = readGood(R"({"bodies": [{"name": "a"}, {"type": "dynamic", "mass": 1, "inertia": 1}],
         "joints": [{"bodyA": "a", "bodyB": "body1", "name": "hinge", "collideConnected": true, "breakForce": 1,
-                    "breakTorque": 2, "anchor": [3, 4], "lower": -5, "upper": 6, "motorSpeed": 7, "maxMotorTorque": 8,
+                    "breakTorque": 2, "anchor": [3, 4], "anchorB": [1, 2],
+                    "referenceAngle": -1, "lower": -5, "upper": 6, "motorSpeed": 7, "maxMotorTorque": 8,
                     "hertz": 9, "dampingRatio": 10, "springTarget": 11, "type": "revolute"},
                    {"type": "distance", "bodyA": "body1", "bodyB": "a", "anchorA": [1, 2], "anchorB": [3, 4],
-                    "length": 5, "minLength": 4, "maxLength": 6, "hertz": 7, "dampingRatio": 8}]})");
-    ASSERT_EQ(scene.joints.size(), 2u);
+                    "length": 5, "minLength": 4, "maxLength": 6, "hertz": 7, "dampingRatio": 8},
+                   {"type": "pulley", "bodyA": "body1", "bodyB": "a", "groundA": [1, 2], "groundB": [3, 4],
+                    "anchorA": [5, 6], "anchorB": [7, 8], "ratio": 9, "length": 10}]})");
+    ASSERT_EQ(scene.joints.size(), 3u);
     JointDescription hinge;
     hinge.name = "hinge";
     hinge.bodyA = "a";
@@ -191,9 +194,10 @@ TEST(SceneKeys, OfJoints) {
     hinge.collideConnected = true;
     hinge.breakForce = 1;
     hinge.breakTorque = 2;
-    hinge.joint = RevoluteDescription{{3, 4}, -5, 6, 7, 8, 9, 10, 11};
+    hinge.joint = RevoluteDescription{{3, 4}, DVec2{1, 2}, -1, -5, 6, 7, 8, 9, 10, 11};
     EXPECT_TRUE(scene.joints[0] == hinge);
     EXPECT_EQ(scene.joints[1].joint, JointGeometry(DistanceDescription{{1, 2}, {3, 4}, 5, 4, 6, 7, 8}));
+    EXPECT_EQ(scene.joints[2].joint, JointGeometry(PulleyDescription{{1, 2}, {3, 4}, {5, 6}, {7, 8}, 9, 10}));
 }
 
 TEST(SceneNumbers, WholeNumbersMayBeWrittenInAnyWay) {

@@ -38,14 +38,14 @@ TEST(Box2dApproximations, TellsOnlyOfWhatTheSceneHolds) {
     scene.bodies[0].shapes[1].rollingResistance = 0.1;
     scene.bodies[0].shapes[2].geometry = SegmentGeometry{{DVec2{0, 0}, DVec2{1, 0}}};
     JointDescription joint;
-    joint.joint = RevoluteDescription{{0, 0}, {}, {}, {}, {}, 4.0, {}, {}};
+    joint.joint = RevoluteDescription{{0, 0}, {}, {}, {}, {}, {}, {}, 4.0, {}, {}};
     scene.joints = {joint};
     EXPECT_TRUE(mentions(scene, "Capsules"));
     EXPECT_TRUE(mentions(scene, "Rounded"));
     EXPECT_TRUE(mentions(scene, "Rolling"));
     EXPECT_TRUE(mentions(scene, "Segments do not"));
     EXPECT_TRUE(mentions(scene, "revolute"));
-    WheelDescription wheel{{0, 0}, {0, 1}, {}, {}, {}, {}, 4.0, {}, {}};
+    WheelDescription wheel{{0, 0}, {}, {}, {0, 1}, {}, {}, {}, {}, 4.0, {}, {}};
     scene.joints[0].joint = wheel;
     EXPECT_FALSE(mentions(scene, "wheels"));
     wheel.springTarget = 0.1;

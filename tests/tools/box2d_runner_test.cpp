@@ -150,7 +150,7 @@ TEST(Box2dRunner, JointsHold) {
     JointDescription hinge;
     hinge.bodyA = "body0";
     hinge.bodyB = "body1";
-    hinge.joint = RevoluteDescription{{0, 5}, {}, {}, {}, {}, {}, {}, {}};
+    hinge.joint = RevoluteDescription{{0, 5}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
     JointDescription rod;
     rod.bodyA = "body1";
     rod.bodyB = "body2";

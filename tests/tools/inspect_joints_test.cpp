@@ -71,6 +71,31 @@ TEST(InspectJoints, FindsLimitsThatExcludeTheStart) {
     expectOnly(scene, "joint-violated", "/joints/0");
 }
 
+TEST(InspectJoints, KnowsWhereJointsBegin) {
+    SceneDescription scene = soundScene();
+    scene.bodies[1].position.y = 2;
+    RevoluteDescription& hinge = build::hinge(scene, "ground", "crate", {0, 2});
+    hinge.lower = 0.5;
+    hinge.referenceAngle = -1;
+    EXPECT_TRUE(inspectScene(scene).findings.empty()) << "at 1 rad";
+    hinge.referenceAngle = 1;
+    expectOnly(scene, "joint-violated", "/joints/0");
+    hinge.referenceAngle.reset();
+    hinge.lower.reset();
+    hinge.anchorB = DVec2{0.3, 2};
+    expectOnly(scene, "joint-violated", "/joints/0");
+    PrismaticDescription slider;
+    slider.anchor = {0, 2};
+    slider.axis = {1, 0};
+    slider.anchorB = DVec2{0.3, 2};
+    slider.lower = 0.1;
+    scene.joints[0].joint = slider;
+    EXPECT_TRUE(inspectScene(scene).findings.empty()) << "on its way";
+    slider.anchorB = DVec2{0.3, 2.3};
+    scene.joints[0].joint = slider;
+    expectOnly(scene, "joint-violated", "/joints/0");
+}
+
 TEST(InspectJoints, FindsLimitsOfSlidersAndWheelsThatExcludeTheStart) {
     const auto expectViolated = [](const auto& limited) {
         SceneDescription scene = soundScene();

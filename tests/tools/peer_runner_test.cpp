@@ -276,7 +276,7 @@ TEST(PeerRunner, WhatAnEngineLacksIsRefused) {
     SceneDescription scene = emptyScene();
     add(scene, "a", SceneBodyType::dynamic, {0, 0}, {0.5, 0.5});
     add(scene, "b", SceneBodyType::dynamic, {2, 0}, {0.5, 0.5});
-    join(scene, "a", "b", PulleyDescription{{0, 3}, {2, 3}, {0, 0}, {2, 0}, 1});
+    join(scene, "a", "b", PulleyDescription{{0, 3}, {2, 3}, {0, 0}, {2, 0}, 1, {}});
     for (const PeerSettings& peer : peers()) {
         std::string error;
         const auto runner = makePeerRunner(scene, peer, error, SWEPT_PROGRAM);

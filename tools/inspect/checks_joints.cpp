@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include <swept/samples/joint_start.h>
 #include <swept/samples/scene_reader.h>
 
 #include "../writers/number_text.h"
@@ -19,6 +20,10 @@ namespace {
 
 /// A rod may miss its length by this part of it before the first step pulls visibly.
 constexpr double kLengthSlack = 1e-3;
+/// Part of the smaller body's reach by which anchors may be apart.
+constexpr double kGapSlack = 1e-2;
+/// Part of its way by which a joint may begin beyond its limits, as one does that was pressed against them.
+constexpr double kLimitSlack = 1e-2;
 
 std::string pointerOf(std::size_t joint) { return "/joints/" + std::to_string(joint); }
 
@@ -79,17 +84,49 @@ void checkLength(const PlacedScene& placed, std::size_t i, const Ends& ends, con
              roundedText(initial)});
 }
 
-/// @param unit  of what the limits limit, which every joint counts from its initial pose
+/// @param start  where it begins
+/// @param unit   of what the limits limit
+/// @param from   the member that tells where that is 0
 template <class LimitedJoint>
-void checkLimits(const PlacedScene& placed, std::size_t i, const LimitedJoint& joint, const char* unit,
-                 std::vector<Finding>& findings) {
+void checkLimits(const PlacedScene& placed, std::size_t i, const LimitedJoint& joint, double start, const char* unit,
+                 const char* from, std::vector<Finding>& findings) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    if (joint.lower.value_or(0) <= 0 && joint.upper.value_or(0) >= 0) { return; }
+    const double lower = joint.lower.value_or(-kInfinity);
+    const double upper = joint.upper.value_or(kInfinity);
+    const double slack = kLimitSlack * std::fabs(start);  // limits that hold give way a little
+    if (lower - slack <= start && start <= upper + slack) { return; }
     findings.push_back({Severity::warning, "joint-violated", pointerOf(i),
-                        jointName(*placed.scene, i) + " starts at 0 " + unit + ", outside its limits " +
-                            roundedText(joint.lower.value_or(-kInfinity)) + " … " +
-                            roundedText(joint.upper.value_or(kInfinity)) + ' ' + unit,
-                        "limits count from the initial pose: let them include 0"});
+                        jointName(*placed.scene, i) + " starts at " + roundedText(start) + ' ' + unit +
+                            ", outside its limits " + roundedText(lower) + " … " + roundedText(upper) + ' ' + unit,
+                        "limits count from the initial pose, or from the \"" + std::string(from) +
+                            "\": let them include " + roundedText(start)});
+}
+
+double angleAtStart(const Ends& ends, const RevoluteDescription& hinge) {
+    const double apart = ends.b->description->angle - ends.a->description->angle;
+    return apart - referenceAngleOf(hinge, apart);
+}
+
+double reachOf(const Ends& ends) {
+    double reach = std::numeric_limits<double>::infinity();
+    for (const PlacedBody* const body : {ends.a, ends.b}) {
+        if (body->isDynamic() && body->reach > 0) { reach = std::min(reach, body->reach); }
+    }
+    return reach;
+}
+
+/// Anchors that belong together, or on a line.
+template <class Members>
+void checkGap(const PlacedScene& placed, std::size_t i, const Ends& ends, const Members& joint,
+              std::vector<Finding>& findings) {
+    const DVec2 apart = joint.anchorB.value_or(joint.anchor) - joint.anchor;
+    double gap = length(apart);
+    if constexpr (requires { joint.axis; }) { gap = std::fabs(cross(joint.axis, apart)) / length(joint.axis); }
+    if (gap <= kGapSlack * reachOf(ends)) { return; }
+    findings.push_back({Severity::warning, "joint-violated", pointerOf(i),
+                        jointName(*placed.scene, i) + " starts " + metres(gap) +
+                            " from where it holds: the first steps pull it together hard",
+                        "place the bodies so that the anchors fit, unless it is to snap together"});
 }
 
 /// All that a hinge is given must be multiples of five, and one of them beyond a turn: a winch may have many turns.
@@ -238,15 +275,21 @@ void checkJoints(const PlacedScene& placed, std::vector<Finding>& findings) {
         if (const auto* rod = std::get_if<DistanceDescription>(&joint.joint)) {
             checkLength(placed, i, ends, *rod, findings);
         }
+        if (const auto* weld = std::get_if<WeldDescription>(&joint.joint)) {
+            if (!weld->linearHertz) { checkGap(placed, i, ends, *weld, findings); }
+        }
         if (const auto* hinge = std::get_if<RevoluteDescription>(&joint.joint)) {
-            checkLimits(placed, i, *hinge, "rad", findings);
+            checkGap(placed, i, ends, *hinge, findings);
+            checkLimits(placed, i, *hinge, angleAtStart(ends, *hinge), "rad", "referenceAngle", findings);
             checkHingeAngles(placed, i, *hinge, findings);
         }
         if (const auto* slider = std::get_if<PrismaticDescription>(&joint.joint)) {
-            checkLimits(placed, i, *slider, "m", findings);
+            checkGap(placed, i, ends, *slider, findings);
+            checkLimits(placed, i, *slider, translationAtStart(*slider), "m", "anchor", findings);
         }
         if (const auto* wheel = std::get_if<WheelDescription>(&joint.joint)) {
-            checkLimits(placed, i, *wheel, "m", findings);
+            checkGap(placed, i, ends, *wheel, findings);
+            checkLimits(placed, i, *wheel, translationAtStart(*wheel), "m", "anchor", findings);
         }
         checkStrength(placed, i, ends, findings);
     }

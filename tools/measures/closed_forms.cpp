@@ -155,7 +155,7 @@ std::optional<ClosedForm> pendulum(const SceneDescription& scene, const PlacedSc
     const PlacedBody& placedBob = placed.bodies[static_cast<std::size_t>(bob)];
     const BodyDescription& body = scene.bodies[static_cast<std::size_t>(bob)];
     const bool isPlain = !hinge->lower && !hinge->upper && !hinge->motorSpeed && !hinge->maxMotorTorque &&
-                         !hinge->hertz && !joint.breakForce && !joint.breakTorque;
+                         !hinge->hertz && !hinge->anchorB && !joint.breakForce && !joint.breakTorque;
     const bool isHung = joint.bodyA == placedBob.name || joint.bodyB == placedBob.name;
     const bool isUndisturbed = body.linearDamping == 0 && body.angularDamping == 0 && !body.fixedRotation &&
                                !scene.settings.maxSpeed && body.awake;

@@ -125,7 +125,7 @@ struct JointMaker {
 
     void operator()(const RevoluteDescription& revolute) const {
         b2RevoluteJointDef definition = b2DefaultRevoluteJointDef();
-        place(definition.base, revolute.anchor, revolute.anchor);
+        placeTurned(definition.base, revolute);
         definition.enableSpring = revolute.hertz.has_value();
         definition.hertz = orElse(revolute.hertz, 0);
         definition.dampingRatio = orElse(revolute.dampingRatio, 0);
@@ -156,7 +156,7 @@ struct JointMaker {
     }
     void operator()(const WeldDescription& weld) const {
         b2WeldJointDef definition = b2DefaultWeldJointDef();
-        place(definition.base, weld.anchor, weld.anchor);
+        placeTurned(definition.base, weld);
         definition.linearHertz = orElse(weld.linearHertz, 0);
         definition.angularHertz = orElse(weld.angularHertz, 0);
         definition.linearDampingRatio = definition.angularDampingRatio = orElse(weld.dampingRatio, 0);
@@ -168,6 +168,13 @@ struct JointMaker {
     }
 
 private:
+    template <class Members>
+    void placeTurned(b2JointDef& base, const Members& joint) const {
+        place(base, joint.anchor, joint.anchorB.value_or(joint.anchor));
+        if (!joint.referenceAngle) { return; }
+        base.localFrameA.q = toPeer(*joint.referenceAngle);
+        base.localFrameB.q = b2Rot_identity;
+    }
     /// Frames that agree at the start: angles of the joint count from there.
     void place(b2JointDef& base, DVec2 anchorA, DVec2 anchorB) const {
         base.bodyIdA = bodyA;

@@ -115,7 +115,7 @@ void addWaysWithJoints(const SceneDescription& scene, std::vector<std::string>& 
     if (hasSpringOnPrismatic(scene)) {
         sentences.push_back("Springs of prismatic joints, and linear ones of welds, are left out.");
     }
-    if (hasAimedWheel(scene)) { sentences.push_back("Springs of wheels pull to the initial place."); }
+    if (hasAimedWheel(scene)) { sentences.push_back("Springs of wheels pull to a translation of 0."); }
     if (hasAny<PulleyDescription>(scene)) { sentences.push_back("The rope of a pulley pushes, too."); }
     if (hasAny<MotorDescription>(scene)) {
         sentences.push_back("Motors drive to a pose only, by 0.3 of the way in a step; the velocities are ignored.");

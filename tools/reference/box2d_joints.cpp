@@ -4,6 +4,8 @@
 #include <cmath>
 #include <variant>
 
+#include <swept/samples/joint_start.h>
+
 #include "box2d_shapes.h"
 
 namespace swept {
@@ -30,6 +32,7 @@ struct JointMaker {
     b2Joint* operator()(const RevoluteDescription& revolute) const {
         b2RevoluteJointDef definition;
         definition.Initialize(bodyA, bodyB, toBox2d(revolute.anchor));
+        place(definition, revolute);
         definition.collideConnected = collideConnected;
         definition.enableLimit = revolute.lower.has_value() || revolute.upper.has_value();
         definition.lowerAngle = orElse(revolute.lower, -kAnyAngle);
@@ -60,6 +63,7 @@ struct JointMaker {
     b2Joint* operator()(const PrismaticDescription& slide) const {
         b2PrismaticJointDef definition;
         definition.Initialize(bodyA, bodyB, toBox2d(slide.anchor), unit(slide.axis));
+        place(definition, slide);
         definition.collideConnected = collideConnected;
         setLimits(definition, slide.lower, slide.upper);
         definition.enableMotor = slide.motorSpeed.has_value() || slide.maxMotorForce.has_value();
@@ -71,6 +75,7 @@ struct JointMaker {
     b2Joint* operator()(const WheelDescription& wheel) const {
         b2WheelJointDef definition;
         definition.Initialize(bodyA, bodyB, toBox2d(wheel.anchor), unit(wheel.axis));
+        placeB(definition, wheel);
         definition.collideConnected = collideConnected;
         setLimits(definition, wheel.lower, wheel.upper);
         definition.enableMotor = wheel.motorSpeed.has_value() || wheel.maxMotorTorque.has_value();
@@ -87,6 +92,7 @@ struct JointMaker {
     b2Joint* operator()(const WeldDescription& weld) const {
         b2WeldJointDef definition;
         definition.Initialize(bodyA, bodyB, toBox2d(weld.anchor));
+        place(definition, weld);
         definition.collideConnected = collideConnected;
         if (weld.angularHertz) {
             b2AngularStiffness(definition.stiffness, definition.damping, static_cast<float>(*weld.angularHertz),
@@ -100,7 +106,7 @@ struct JointMaker {
         definition.Initialize(bodyA, bodyB);
         definition.collideConnected = collideConnected;
         if (motor.linearOffset) { definition.linearOffset = toBox2d(*motor.linearOffset); }
-        definition.angularOffset += orElse(motor.angularOffset, 0);
+        definition.angularOffset = referenceAngle(motor) + orElse(motor.angularOffset, 0);
         definition.maxForce = orElse(motor.maxForce, 0);
         definition.maxTorque = orElse(motor.maxTorque, 0);
         return world.CreateJoint(&definition);
@@ -135,6 +141,9 @@ struct JointMaker {
         b2PulleyJointDef definition;
         definition.Initialize(bodyA, bodyB, toBox2d(pulley.groundA), toBox2d(pulley.groundB), toBox2d(pulley.anchorA),
                               toBox2d(pulley.anchorB), static_cast<float>(pulley.ratio));
+        if (pulley.length) {
+            definition.lengthA = static_cast<float>(*pulley.length) - definition.ratio * definition.lengthB;
+        }
         definition.collideConnected = collideConnected;
         return world.CreateJoint(&definition);
     }
@@ -154,6 +163,21 @@ private:
         b2Vec2 direction = toBox2d((1 / length(axis)) * axis);
         direction.Normalize();
         return direction;
+    }
+
+    template <class Members>
+    float referenceAngle(const Members& joint) const {
+        return static_cast<float>(
+            referenceAngleOf(joint, static_cast<double>(bodyB->GetAngle()) - static_cast<double>(bodyA->GetAngle())));
+    }
+    template <class Definition, class Members>
+    void placeB(Definition& definition, const Members& joint) const {
+        if (joint.anchorB) { definition.localAnchorB = bodyB->GetLocalPoint(toBox2d(*joint.anchorB)); }
+    }
+    template <class Definition, class Members>
+    void place(Definition& definition, const Members& joint) const {
+        placeB(definition, joint);
+        if (joint.referenceAngle) { definition.referenceAngle = referenceAngle(joint); }
     }
 
     template <class Definition>

@@ -72,8 +72,8 @@ struct JointMaker {
     std::vector<cpConstraint*>& made;
 
     void operator()(const RevoluteDescription& revolute) const {
-        made.push_back(cpPivotJointNew(a, b, toPeer(revolute.anchor)));
-        const double start = cpBodyGetAngle(b) - cpBodyGetAngle(a);
+        addPivot(revolute);
+        const double start = referenceAngle(revolute);
         if (revolute.lower || revolute.upper) {
             made.push_back(cpRotaryLimitJointNew(a, b, start + revolute.lower.value_or(-kNone),
                                                  start + revolute.upper.value_or(kNone)));
@@ -95,13 +95,24 @@ struct JointMaker {
         if (distance.length) { cpPinJointSetDist(made.back(), *distance.length); }
     }
     void operator()(const WeldDescription& weld) const {
-        made.push_back(cpPivotJointNew(a, b, toPeer(weld.anchor)));
-        made.push_back(cpGearJointNew(a, b, cpBodyGetAngle(b) - cpBodyGetAngle(a), 1));
+        addPivot(weld);
+        made.push_back(cpGearJointNew(a, b, referenceAngle(weld), 1));
     }
     template <class Other>
     void operator()(const Other&) const {
         std::fputs("a joint", stderr);
         std::abort();
+    }
+
+private:
+    template <class Members>
+    void addPivot(const Members& joint) const {
+        made.push_back(cpPivotJointNew2(a, b, cpBodyWorldToLocal(a, toPeer(joint.anchor)),
+                                        cpBodyWorldToLocal(b, toPeer(joint.anchorB.value_or(joint.anchor)))));
+    }
+    template <class Members>
+    double referenceAngle(const Members& joint) const {
+        return referenceAngleOf(joint, cpBodyGetAngle(b) - cpBodyGetAngle(a));
     }
 };
 
