@@ -11,9 +11,9 @@ namespace swept {
 /// by anything; `dynamic` obeys forces and impulses.
 enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };
 
-/// Whether a force wakes a body. With `no` one that is asleep sleeps on (and has it if something wakes it by the next
-/// step), and one that comes to rest on something under it falls asleep: for forces that act in every step, as a
-/// planet's pull, wind or buoyancy.
+/// Whether a force wakes a body. With `no` a sleeping body stays asleep, and the force counts only if something else
+/// wakes it before the next step; a body that comes to rest on something under the force falls asleep. For forces that
+/// act in every step: a planet's pull, wind, buoyancy.
 enum class Wake : std::uint8_t { yes, no };
 
 /// What happens when a body moves so fast that it could pass through something within a step.

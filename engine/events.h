@@ -10,11 +10,11 @@ namespace swept {
 enum class ContactEventType : std::uint8_t {
     begin,  ///< two shapes touch, as the step began, that did not before
     end,    ///< they touch no longer, or one of them is gone
-    /// A blow: they met faster than gravity makes anything in a step (at all, where there is none), or bounced. At the
-    /// time of the impact; `begin` may follow in the next step, or never where they are apart by then. So is it where
-    /// they touch already, and meet at another point, faster than the forces on them make it in a step: a crate that
-    /// tips over slaps down with each corner. One for a pair and an impact, at its hardest point; `impulse` is that of
-    /// the pair. Compare `approachSpeed` or `impulse` with what is worth a sound.
+    /// An impact faster than gravity could make it within a step (of any speed where there is none), or one that
+    /// bounced; told at its time. Shapes that touch already tell one when they meet at another point, faster than the
+    /// forces on them could make it within a step: a crate that tips over, for each corner that slaps down. One event
+    /// for a pair and an impact, at its hardest point; `impulse` is that of the pair. `begin` follows in the next step
+    /// only if they still touch then. Compare `approachSpeed` or `impulse` with what is worth a sound.
     hit,
     sensorBegin,  ///< a shape overlaps a sensor
     sensorEnd,

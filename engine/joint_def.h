@@ -63,8 +63,9 @@ struct AngleLimits {
 
     bool operator==(const AngleLimits&) const = default;
 };
-/// What a motor, angular or linear, moves by less than a thousandth of its size in 4·√(size / g) falls asleep like all
-/// that hardly moves, and stops. A kinematic body does not, nor anything where `WorldSettings::sleep` is off.
+/// A motor, angular or linear, that moves its body by less than a thousandth of the body's size in 4·√(size / g) counts
+/// as resting: the body falls asleep, and the motor stops. Not so kinematic bodies, nor where `WorldSettings::sleep` is
+/// off.
 struct AngularMotor {
     Real speed = 0;      ///< rad/s of B relative to A
     Real maxTorque = 0;  ///< N·m, at least 0

@@ -31,10 +31,10 @@ namespace swept::inline SWEPT_PRECISION {
 struct Surface {
     Real friction = Real(0.6);  ///< at least 0
     Real restitution = 0;       ///< 0 … 1
-    /// At least 0, mostly much less than 1. Where a pair of shapes touches at one point, it resists that one turns in
-    /// the view of the other by a torque of up to this times the radius that rolls (a circle's, of two the smaller one;
-    /// without circles the larger radius; of sharp shapes 0) times the normal force: a ball stays where it is on slopes
-    /// whose tangent is no more. Blows of bodies in flight know nothing of it.
+    /// A coefficient c, at least 0, mostly much less than 1. Where a pair touches at a single point, a torque of at
+    /// most c · r · N opposes that one turns relative to the other: N is the normal force, r the radius of the circle
+    /// (of two circles the smaller one; without circles the larger rounding radius; 0 of sharp shapes). A ball rests on
+    /// slopes up to tan⁻¹ c. It has no effect on impacts in flight.
     Real rollingResistance = 0;
     /// Along the outline, as of an endless belt, m/s. Where y is up, it runs to the right on top if above 0, and on
     /// round clockwise; on a chain against its direction. Friction carries along what touches it, and keeps that awake

@@ -32,11 +32,11 @@ struct SceneNames;
 /// A world of rigid bodies, advanced in fixed steps.
 ///
 /// Every call that takes input checks it first and changes nothing when it refuses (see `Status`). Getters of a stale
-/// id return a default value (zeros, false). One thread at a time; what is const may run at the same time as each
-/// other. What a query or visit calls back may change the world: it is told of what was there when it was asked. What
-/// was destroyed since is left out, what was moved or made since may be. A world that was moved from may only be
-/// assigned to, loaded into or destroyed. The same calls give the same bits on every machine, compiler and number of
-/// threads.
+/// id return a default value (zeros, false). Calls must not overlap in time, except that const calls may run at once.
+/// Callbacks of queries and visits may change the world: results were collected before the first callback; those that
+/// were destroyed since are skipped, those that were moved or made since may be missing or out of date. A world that
+/// was moved from may only be assigned to, loaded into or destroyed. The same calls give the same bits on every
+/// machine, compiler and number of threads.
 ///
 /// Where memory runs out, `std::bad_alloc` comes through (in a loop that other threads share, and in a library without
 /// exceptions, it ends the program). A call that was to make a body, shape, chain or joint has made nothing then, and
@@ -111,10 +111,10 @@ public:
     /// As it was made or redefined; pose, velocities, `awake` and `enabled` as they are now.
     BodyDef definition(BodyId id) const;
     /// Gives a body another definition; its pose and velocities stay as they are (but for those that the new one does
-    /// not allow), and so do its shapes and joints, and whether it is enabled. Wakes it, unless `userData` alone is
-    /// another and there is no contact filter. A new type ends its contacts, and so does, where there is a contact
-    /// filter, another `userData`, and those that it has then begin; joints between what is not dynamic rest (as those
-    /// of a disabled body do: setEnabled) until one of it is.
+    /// not allow), and so do its shapes and joints, and whether it is enabled. Wakes it, unless only `userData` changes
+    /// and there is no contact filter. A new type ends the body's contacts, and new ones begin in the next step; with a
+    /// contact filter another `userData` does the same. A joint is inactive while none of its bodies is dynamic (see
+    /// setEnabled).
     /// Errors: as of createBody; `wrongBodyType` with "type" where it has chains and would be dynamic.
     Status redefine(BodyId id, const BodyDef& def);
     /// Teleports a body of any type, its origin to `position` (world, metres) and turned to `angle` (rad): contacts
@@ -136,9 +136,9 @@ public:
     /// What is disabled takes no part: it does not move, meets nothing, no query finds it, and its joints are off. It
     /// keeps its id, shapes, joints, pose and velocities, all of which may be changed meanwhile. To disable it ends its
     /// contacts, forgets its forces, and wakes what touched it and what its joints held; enabled again it is awake, and
-    /// moves on from where it is. Its joints pull their bodies together again, but turn none by more than half a turn,
-    /// nor back by whole turns to where they want it, and gears go on from where they are. For bodies that come and go,
-    /// without making them anew.
+    /// moves on from where it is. Its joints pull their bodies together again by the shorter way round, never by more
+    /// than half a turn (whole turns are forgotten), and gears go on from the present angles. For bodies that come and
+    /// go, without making them anew.
     Status setEnabled(BodyId id, bool enabled);
     bool isEnabled(BodyId id) const;
     // The calls below are for dynamic bodies only; errors: `wrongBodyType` of others, `outOfRange` when the sum of the

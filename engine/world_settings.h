@@ -26,8 +26,8 @@ struct WorldSettings {
     std::optional<int> subSteps{};     ///< 1 … 1024; else the profile's
     std::optional<int> relaxPasses{};  ///< per sub-step, 0 … 64; else the profile's
     ContinuousMode continuous = ContinuousMode::subStep;
-    /// Per body and step, at least 1. After each 64 of them a body that they took on by less than 1/1024 of the step is
-    /// held as `stuck`.
+    /// Most impacts per body and step, at least 1. Progress is checked after each 64 of them: a body that got on by
+    /// less than 1/1024 of the step meanwhile is held (`LostTimeReason::stuck`).
     int maxImpacts = 64;
     /// m/s, greater than 0; of dynamic bodies: faster ones are slowed to it. Kinematic ones move as they are told.
     Real maxSpeed = std::numeric_limits<Real>::infinity();
