@@ -154,8 +154,8 @@ private:
         const DVec2 anchorA = anchorAOf(world, joint);
         const DVec2 anchorB = anchorBOf(world, joint);
         const double arms = length(toDouble(joint.localAnchorA)) + length(toDouble(joint.localAnchorB));
-        constexpr double kRounding = 4 * static_cast<double>(std::numeric_limits<Real>::epsilon());
-        const bool isOne = length(anchorB - anchorA) <= kRounding * arms;
+        constexpr double kArmRounding = 4 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+        const bool isOne = length(anchorB - anchorA) <= kArmRounding * arms;
         out.add("anchor", isOne ? anchorB : anchorA);
         if (!isOne) { out.add("anchorB", anchorB); }
         addReference();

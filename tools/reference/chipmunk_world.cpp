@@ -1,6 +1,7 @@
 #include "chipmunk_world.h"
 
 #include <chipmunk/chipmunk.h>
+#include <swept/samples/joint_start.h>
 #include <swept/samples/scene_surfaces.h>
 
 #include <array>
