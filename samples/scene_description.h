@@ -47,10 +47,12 @@ struct PolygonGeometry {
 };
 /// Of one segment of a chain; what is left out is as of the shape.
 struct SurfaceDescription {
-    std::optional<double> friction, restitution;
-    std::optional<double> rollingResistance;
-    std::optional<double> surfaceSpeed;  ///< m/s
-    std::optional<MixingRule> frictionMixing, restitutionMixing;
+    std::optional<double> friction{};
+    std::optional<double> restitution{};
+    std::optional<double> rollingResistance{};
+    std::optional<double> surfaceSpeed{};  ///< m/s
+    std::optional<MixingRule> frictionMixing{};
+    std::optional<MixingRule> restitutionMixing{};
 
     bool operator==(const SurfaceDescription&) const = default;
 };

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kGravity = 10;
 
-ShapeDescription box(DVec2 half) {
+ShapeDescription boxOf(DVec2 half) {
     ShapeDescription shape;
     shape.geometry = BoxGeometry{half, {0, 0}, 0};
     return shape;
@@ -28,7 +28,7 @@ BodyDescription& add(SceneDescription& scene, const std::string& name, SceneBody
     description.name = name;
     description.type = type;
     description.position = position;
-    description.shapes = {box(half)};
+    description.shapes = {boxOf(half)};
     scene.bodies.push_back(description);
     return scene.bodies.back();
 }
