@@ -36,8 +36,9 @@ inline std::vector<SurfaceDescription>* ownSurfaces(ShapeDescription& shape) {
 
 /// Of a segment: what its surface leaves out is as of the shape. @param segment  of a chain, else 0
 inline FullSurface surfaceAt(const ShapeDescription& shape, std::size_t segment) {
+    static const SurfaceDescription kAsOfShape{};
     const std::vector<SurfaceDescription>* const own = ownSurfaces(shape);
-    const SurfaceDescription given = own != nullptr ? own->at(segment) : SurfaceDescription{};
+    const SurfaceDescription& given = own != nullptr ? own->at(segment) : kAsOfShape;
     return {.friction = given.friction.value_or(shape.friction),
             .restitution = given.restitution.value_or(shape.restitution),
             .rollingResistance = given.rollingResistance.value_or(shape.rollingResistance),
