@@ -102,6 +102,7 @@ TEST(SceneUnits, AreThoseOfPhysics) {
         {"/joints/*/ratio", "1"},
         {"/joints/*/groundA", "m"},
         {"/joints/*/groundB", "m"},
+        {"/joints/*/referenceAngle", "1"},
     };
     EXPECT_EQ(units.size(), expected.size());
     for (const auto& [field, unit] : expected) {
