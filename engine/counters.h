@@ -36,7 +36,7 @@ struct StepCounters {
     std::uint64_t sweeps = 0;           ///< bodies swept for continuous collision
     std::uint64_t toiCalls = 0;
     std::uint64_t toiIterations = 0;
-    std::uint64_t sensorSweeps = 0;   ///< pairs of a sensor and what passed it fast, followed through the step
+    std::uint64_t sensorSweeps = 0;   ///< pairs of a sensor and what may have passed it, followed through the step
     std::uint64_t impacts = 0;        ///< resolved at their own time
     std::uint64_t aheadContacts = 0;  ///< made ahead, farther than other modes would, by mode `speculative`
     std::uint64_t speedsLimited = 0;  ///< by `maxSpeed`

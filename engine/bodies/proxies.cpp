@@ -1,5 +1,6 @@
 #include "proxies.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "world_boxes.h"
@@ -34,10 +35,21 @@ void rememberProxy(WorldState& world, ProxyId proxy, std::uint32_t shape) {
     world.neededBoxes[index] = world.broadphase->box(proxy);
 }
 
-void countTraits(WorldState& world, const ShapeDef& def, std::int32_t sign) {
-    world.sensorShapes += def.sensor ? static_cast<std::uint32_t>(sign) : 0U;
-    world.bouncyShapes += def.restitution > 0 ? static_cast<std::uint32_t>(sign) : 0U;
-    world.rollingShapes += def.rollingResistance > 0 ? static_cast<std::uint32_t>(sign) : 0U;
+void countTraits(WorldState& world, std::uint32_t shape) {
+    const ShapeDef& def = world.shapes[shape].def;
+    if (def.sensor) { world.sensors.push_back(shape); }
+    world.bouncyShapes += def.restitution > 0 ? 1U : 0U;
+    world.rollingShapes += def.rollingResistance > 0 ? 1U : 0U;
+}
+
+void discountTraits(WorldState& world, std::uint32_t shape) {
+    const ShapeDef& def = world.shapes[shape].def;
+    if (def.sensor) {
+        *std::find(world.sensors.begin(), world.sensors.end(), shape) = world.sensors.back();
+        world.sensors.pop_back();
+    }
+    world.bouncyShapes -= def.restitution > 0 ? 1U : 0U;
+    world.rollingShapes -= def.rollingResistance > 0 ? 1U : 0U;
 }
 
 Status addProxy(WorldState& world, std::uint32_t slot) {
@@ -60,7 +72,7 @@ void removeProxy(WorldState& world, std::uint32_t slot) {
 
 void removeShapeSlot(WorldState& world, std::uint32_t slot) {
     removeProxy(world, slot);
-    countTraits(world, world.shapes[slot].def, -1);
+    discountTraits(world, slot);
     world.chainShapes -= world.shapes[slot].isChainSegment ? 1U : 0U;
     std::erase_if(world.crossed,
                   [slot](const ChainPasser& passer) { return passer.shape == slot || passer.segment == slot; });

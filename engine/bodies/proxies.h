@@ -11,8 +11,10 @@ namespace swept::inline SWEPT_PRECISION {
 Result<ProxyId> makeProxy(WorldState& world, const Shape& shape);
 /// Whose it is.
 void rememberProxy(WorldState& world, ProxyId proxy, std::uint32_t shape);
-/// Counts a shape among those of which there may be none. @param sign  1, or −1 when it goes
-void countTraits(WorldState& world, const ShapeDef& def, std::int32_t sign);
+/// Counts a shape, as it is defined, among those of which there may be none, or no longer: before it changes or goes.
+/// @pre there is room for one more of `WorldState::sensors`, if it is one
+void countTraits(WorldState& world, std::uint32_t shape);
+void discountTraits(WorldState& world, std::uint32_t shape);
 /// Both at once, for a shape that has a slot.
 Status addProxy(WorldState& world, std::uint32_t shape);
 /// No effect on those that have none. @pre it has no contacts

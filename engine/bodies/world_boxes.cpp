@@ -112,7 +112,7 @@ bool keepsBoxes(const WorldState& world, std::uint32_t slot) {
     if (!(travel.boxRoom > 0)) { return false; }
     const BodyMotion& motion = world.motions[slot];
     const double moved = lengthAtMost(motion.center - travel.boxCenter) +
-                         std::fabs(motion.angle - travel.boxAngle) * static_cast<double>(world.bodies[slot].radius);
+                         std::fabs(motion.angle - travel.boxAngle) * static_cast<double>(world.bodies[slot].reach);
     return moved <= travel.boxRoom / 2 &&  // half of it is for rounding
            reachMotion(world, slot, static_cast<Real>(world.lastDt)) <= travel.boxMotion;
 }

@@ -38,10 +38,9 @@ bool actAlike(Surface a, const Surface& b) {
 }
 
 void setDefinition(WorldState& world, std::uint32_t slot, const ShapeDef& def) {
-    ShapeDef& own = world.shapes[slot].def;
-    countTraits(world, own, -1);
-    own = def;
-    countTraits(world, own, 1);
+    discountTraits(world, slot);
+    world.shapes[slot].def = def;
+    countTraits(world, slot);
 }
 
 void mixSurfacesOf(WorldState& world, std::span<const std::uint32_t> places) {

@@ -18,6 +18,7 @@ Status checkSurfaces(std::span<const Surface> surfaces, std::size_t count);
 bool actAlike(Surface a, const Surface& b);
 
 /// Gives a shape that has a slot another definition. What touches it does not know yet.
+/// @pre there is room for one more of `WorldState::sensors`, if it becomes one
 void setDefinition(WorldState& world, std::uint32_t slot, const ShapeDef& def);
 
 /// What contacts make of the surfaces of their shapes, anew. What is near only may have no contact yet.

@@ -55,6 +55,7 @@ void makeRoomForShape(WorldState& world, Body& body) {
     makeRoom(world.shapeMasses, count);
     makeRoom(world.proxyShapes, world.proxyShapes.size() + 1);  // the lowest free proxy is taken first
     makeRoom(world.neededBoxes, world.proxyShapes.size() + 1);
+    makeRoom(world.sensors, world.sensors.size() + 1);
     makeRoom(body.shapes, body.shapes.size() + 1);
     if (body.isDynamic()) { makeRoom(world.massParts, body.shapes.size() + 1); }
     makeRoomToWake(world);
@@ -99,7 +100,7 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape, Real 
     world.shapeMasses.resize(world.shapes.slotCount());
     world.bodies[body].shapes.push_back(id->index);
     if (world.bodies[body].isDynamic()) { weigh(world, std::span(&id->index, 1)); }
-    countTraits(world, stored.def, 1);
+    countTraits(world, id->index);
     world.chainShapes += stored.isChainSegment ? 1U : 0U;
     return *id;
 }
@@ -261,6 +262,7 @@ Status World::redefine(ShapeId id, const ShapeDef& def) {
                                     return !actAlike(surfaceOf(world.shapes[slot].def), surface);
                                 });
     std::span<const std::uint32_t> places;
+    if (def.sensor) { makeRoom(world.sensors, world.sensors.size() + slots.size()); }
     if (meetsOthers || isOtherSurface) {
         places = pairsOfShape(world, slots);
         wakeAcross(world, body, places);

@@ -10,12 +10,13 @@ namespace swept::inline SWEPT_PRECISION {
 
 template <MaybeConst<Body> T>
 constexpr auto allMembers(T& b) {
-    static_assert(areAllListed<Body>(42));
-    return listed(b.inverseMass, b.inverseInertia, b.extent, b.widest, b.radius, b.localCenter, b.force, b.torque,
-                  b.groundNormal, b.ground, b.holdingJoints, b.awake, b.fresh, b.isPut, b.touchesDynamic, b.hasContact,
-                  b.deepContact, b.sunk, b.bounces, b.rests, b.strikes, b.startled, b.fast, b.flung, b.role,
-                  b.searchDebt, b.soughtSteps, b.effort, b.startCenter, b.startAngle, b.def, b.shapes, b.joints, b.mass,
-                  b.inertia, b.lostTime, b.restCenter, b.restAngle, b.restTime, b.restSteps, b.nextAsleep, b.heldIn);
+    static_assert(areAllListed<Body>(45));
+    return listed(b.inverseMass, b.inverseInertia, b.extent, b.widest, b.radius, b.reach, b.localCenter, b.force,
+                  b.torque, b.groundNormal, b.ground, b.holdingJoints, b.awake, b.fresh, b.isPut, b.touchesDynamic,
+                  b.hasContact, b.deepContact, b.sunk, b.bounces, b.rests, b.strikes, b.startled, b.fast, b.flung,
+                  b.hasSensor, b.role, b.searchDebt, b.soughtSteps, b.effort, b.startCenter, b.startAngle,
+                  b.leastPassed, b.def, b.shapes, b.joints, b.mass, b.inertia, b.lostTime, b.restCenter, b.restAngle,
+                  b.restTime, b.restSteps, b.nextAsleep, b.heldIn);
 }
 
 template <MaybeConst<StepCounters> T>

@@ -48,10 +48,10 @@ template <MaybeConst<WorldState> T>
 constexpr auto allMembers(T& w) {
     const auto all =
         listed(w.settings, leftOut(w.contactFilter), w.bodies, w.motions, w.solverSlots, w.shapes, w.awake,
-               w.departures, w.awakeGaps, w.stepped, w.chainSegments, w.shapeMasses, leftOut(w.massParts),
-               w.sensorShapes, w.bouncyShapes, w.rollingShapes, w.chainShapes, leftOut(w.sensorSweeps),
-               w.kinematicBodies, w.fixedBodies, w.bulletBodies, w.leastWidth, w.mostInverseMass, w.leastInverseMass,
-               w.watchedBodies, w.unmeasured, w.thinnestWall, w.masslessBodies,
+               w.departures, w.awakeGaps, w.stepped, w.chainSegments, w.shapeMasses, leftOut(w.massParts), w.sensors,
+               w.bouncyShapes, w.rollingShapes, w.chainShapes, leftOut(w.sensorSweeps), w.leastPassed,
+               w.leastPassedOfSensors, w.kinematicBodies, w.fixedBodies, w.bulletBodies, w.leastWidth,
+               w.mostInverseMass, w.leastInverseMass, w.watchedBodies, w.unmeasured, w.thinnestWall, w.masslessBodies,
                // Joints.
                w.joints, w.jointTies, w.newJoints, w.startPause, w.loosenedChains, w.anyRestLoads, w.activeJoints,
                w.jointChains, w.drivenJoints,

@@ -1,97 +1,26 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <span>
 
 #include "../../broadphase/wide_kernels.h"
+#include "../../shapes/distance.h"
 #include "../../toi/toi_polygon.h"
+#include "../bodies/body_measures.h"
 #include "../bodies/place_order.h"
 #include "../contacts/may_touch.h"
 #include "../contacts/new_pairs.h"
+#include "../contacts/pair_boxes.h"
 #include "../contacts/parked_contacts.h"
-#include "../containers/sort_few.h"
 #include "../state/tolerances.h"
 #include "modes.h"
+#include "sensor_ways.h"
 
-/// Sensors are looked at where the bodies stand at the start of a step (stage_collide.cpp). What moves fast may be in
-/// and out again between two looks: here its whole way is followed, impact by impact, past the sensors along it.
+/// Sensors are looked at where the bodies stand at the start of a step (stage_collide.cpp). What moves far, for its
+/// size or for that of the sensor, may be in and out again between two looks: here its whole way is followed, impact by
+/// impact, past the sensors along it.
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
-
-bool isOfLowerBody(const ImpactOfBody& impact, std::uint32_t slot) { return impact.body < slot; }
-
-/// By body: a step has thousands of impacts, and all that is awake is asked.
-void listImpacts(WorldState& world) {
-    std::vector<ImpactOfBody>& impacts = world.sensorSweeps.impacts;
-    impacts.clear();
-    for (std::size_t i = 0; i < world.impactPoses.size(); ++i) {
-        impacts.push_back({world.impactPoses[i].body.index, static_cast<std::uint32_t>(i)});
-    }
-    std::sort(impacts.begin(), impacts.end());
-}
-
-/// From the first impact of the body on, if it has any.
-std::span<const ImpactOfBody> impactsFrom(const WorldState& world, std::uint32_t slot) {
-    const std::vector<ImpactOfBody>& impacts = world.sensorSweeps.impacts;
-    const auto first = std::lower_bound(impacts.begin(), impacts.end(), slot, isOfLowerBody);
-    return std::span(impacts).subspan(static_cast<std::size_t>(first - impacts.begin()));
-}
-
-bool hadImpact(const WorldState& world, std::uint32_t slot) {
-    const std::span<const ImpactOfBody> impacts = impactsFrom(world, slot);
-    return !impacts.empty() && impacts.front().body == slot;
-}
-
-bool isFast(const WorldState& world, std::uint32_t slot) {
-    const Body& body = world.bodies[slot];
-    if (!isSwept(modeOf(world, body))) { return false; }
-    const BodyMotion& motion = world.motions[slot];
-    const double way = length(motion.center - body.startCenter) +
-                       std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);
-    return way > static_cast<double>(kFastRatio * body.extent) || hadImpact(world, slot);
-}
-
-/// Start, impacts and end of a body's way in this step.
-void findWaypoints(const WorldState& world, std::uint32_t slot, std::vector<Waypoint>& points) {
-    const Body& body = world.bodies[slot];
-    points.clear();
-    // What no step moves stands where it was put.
-    const BodyMotion& motion = world.motions[slot];
-    points.push_back({0, body.awake ? body.startCenter : motion.center, body.awake ? body.startAngle : motion.angle});
-    for (const ImpactOfBody& impact : impactsFrom(world, slot)) {
-        if (impact.body != slot) { break; }
-        const ImpactPose& pose = world.impactPoses[impact.place];
-        const DVec2 arm = toDouble(rotate(rotationFromAngle(pose.angle), body.localCenter));
-        points.push_back({pose.fraction, pose.position + arm, pose.angle});
-    }
-    sortFew(points, [](const Waypoint& a, const Waypoint& b) { return a.fraction < b.fraction; });
-    if (points.back().fraction < 1) { points.push_back({1, world.motions[slot].center, world.motions[slot].angle}); }
-}
-
-/// The way between two fractions that have no waypoint between them. A flyer's is a parabola.
-Sweep wayBetween(const WorldState& world, std::uint32_t slot, const std::vector<Waypoint>& points, double from,
-                 double to, double dt) {
-    const Body& body = world.bodies[slot];
-    auto next = std::find_if(points.begin() + 1, points.end(), [from](const Waypoint& p) { return p.fraction > from; });
-    if (next == points.end()) { --next; }
-    const Waypoint& end = *next;
-    const Waypoint& start = *(next - 1);
-    Sweep sweep{.localCenter = toDouble(body.localCenter),
-                .c0 = start.center,
-                .c1 = end.center,
-                .a0 = start.angle,
-                .a1 = end.angle};
-    const double time = (end.fraction - start.fraction) * dt;
-    if (!(time > 0)) { return sweep; }
-    const bool stands = start.center == end.center;
-    if (body.role == BodyRole::flyer && !stands) {
-        sweep.k = (0.5 * time * time) * toDouble(accelerationOf(world, body));
-    }
-    const double whole = end.fraction - start.fraction;
-    return part(sweep, std::clamp((from - start.fraction) / whole, 0.0, 1.0),
-                std::clamp((to - start.fraction) / whole, 0.0, 1.0));
-}
 
 Sweep backwards(const Sweep& sweep) {
     Sweep result = sweep;
@@ -102,6 +31,9 @@ Sweep backwards(const Sweep& sweep) {
 
 bool isInside(const Toi& toi) { return toi.state == ToiState::overlapped || toi.separation <= 0; }
 bool meets(const Toi& toi) { return toi.state == ToiState::hit || toi.state == ToiState::overlapped; }
+
+/// Of the tolerance of times: deeper is no rounding.
+constexpr double kSkimRatio = 1.0 / 64;
 
 /// One sensor, one shape, and what is known of them.
 struct Watch {
@@ -117,6 +49,20 @@ struct Watch {
         ++world.counters.toiCalls;
         world.counters.toiIterations += static_cast<std::uint64_t>(toi.iterations);
         return toi;
+    }
+    /// As the next look will find them (near_update.cpp): what is told here must not be told again for a rounding.
+    bool areSeenInside() const {
+        const Shape& a = world.shapes[pair.sensor];
+        const Shape& b = world.shapes[pair.other];
+        const Transform bInA = relativeTransform(world.motions[a.body].pose, world.motions[b.body].pose);
+        return distance(a.polygon, b.polygon, bInA).distance <= 0;
+    }
+    /// Whether they were as near as times are found, and nearer by no more than roundings: what slides along an edge of
+    /// a sensor would begin and end in every step.
+    /// @param first, last  when they were so near
+    bool isSkim(const Toi& first, const Toi& between, const Toi& last) const {
+        return between.separation <= 2 * settings.tolerance && between.separation >= -kSkimRatio * settings.tolerance &&
+               dot(first.normal, last.normal) > 0;
     }
     /// @param touch  of the two at that time
     void announce(ContactEventType type, double fraction, const Toi& touch) const {
@@ -141,7 +87,7 @@ void watchStretch(Watch& watch, const Sweep& sensorWay, const Sweep& otherWay, d
     const auto after = [&](double fraction) {
         return separationAt(watch.sensor, sensorWay, watch.other, otherWay, fraction);
     };
-    const bool endsInside = isInside(after(1));
+    const bool endsInside = to < 1 ? isInside(after(1)) : watch.areSeenInside();
     const bool begins = !watch.inside;
     double began = from;
     Toi touch;
@@ -155,7 +101,11 @@ void watchStretch(Watch& watch, const Sweep& sensorWay, const Sweep& otherWay, d
     if (!endsInside) {
         last = watch.firstTouch(backwards(sensorWay), backwards(otherWay));
         left = meets(last) ? to - last.fraction * (to - from) : began;
-        if (begins && !(left > began)) { return; }
+        if (begins) {
+            if (!(left > began)) { return; }
+            const double middle = (0.5 * (began + left) - from) / (to - from);
+            if (meets(last) && watch.isSkim(touch, after(middle), last)) { return; }
+        }
         if (!meets(last)) { last = after(0); }
     }
     if (begins) { watch.announce(ContactEventType::sensorBegin, began, touch); }
@@ -183,49 +133,65 @@ void addPairs(WorldState& world, std::uint32_t a, std::uint32_t b) {
     if (isPair(world, world.shapes[b], world.shapes[a])) { pairs.push_back({b, a}); }
 }
 
+/// So many are compared faster, one by one, than found among all shapes.
+constexpr std::size_t kFewSensors = 32;
+
+/// What has no proxy, since its body is disabled, meets nothing.
+void listFewSensors(WorldState& world) {
+    WaysOfShapes& few = world.sensorSweeps.few;
+    few.boxes.clear();
+    few.shapes.clear();
+    if (world.sensors.size() > kFewSensors) { return; }
+    for (const std::uint32_t slot : world.sensors) {
+        const ProxyId proxy = world.shapes[slot].proxy;
+        if (proxy == kNoProxy) { continue; }
+        few.boxes.push_back(world.broadphase->box(proxy));
+        few.shapes.push_back(slot);
+    }
+}
+
+/// Of a shape with those whose boxes, as the step begins, meet its way.
+void findPairsAlong(WorldState& world, std::uint32_t own, const Aabb& way) {
+    const WaysOfShapes& few = world.sensorSweeps.few;
+    if (!world.shapes[own].def.sensor && world.sensors.size() <= kFewSensors) {
+        for (std::size_t i = 0; i < few.boxes.size(); ++i) {
+            if (overlapAtOnce<Real>(few.boxes[i], way)) { addPairs(world, few.shapes[i], own); }
+        }
+        return;
+    }
+    world.broadphase->query(way, [&](ProxyId id) {
+        addPairs(world, world.proxyShapes[static_cast<std::uint32_t>(id)], own);
+        return true;
+    });
+}
+
 /// Pairs of sensors and shapes of which one belongs to the body, and whose boxes meet on its way: those that the other
 /// one has for its start. Keeps its own.
 void findPairsOnWay(WorldState& world, std::uint32_t slot, double dt) {
     SensorSweeps& sweeps = world.sensorSweeps;
     findWaypoints(world, slot, sweeps.ofSensor);
-    DVec2 lower = sweeps.ofSensor.front().center;
-    DVec2 upper = lower;
-    for (const Waypoint& point : sweeps.ofSensor) {
-        lower = {std::min(lower.x, point.center.x), std::min(lower.y, point.center.y)};
-        upper = {std::max(upper.x, point.center.x), std::max(upper.y, point.center.y)};
-    }
     const Body& body = world.bodies[slot];
-    // By how much a parabola leaves the straight line between two waypoints.
-    const Real bulge =
-        body.role == BodyRole::flyer ? length(accelerationOf(world, body)) * static_cast<Real>(dt * dt / 8) : Real(0);
+    const double bulge = bulgeOfWay(world, slot, sweeps.ofSensor, dt);
     for (const std::uint32_t own : body.shapes) {
         const Shape& mine = world.shapes[own];
-        const Real reach = radiusAbout(mine.polygon, body.localCenter) + kTargetRatio * mine.extent + bulge;
-        const Aabb box = grown(roundedOutward(lower, upper), reach);
+        // What does not move far itself is looked for where it was.
+        const Real reach = leastPassed(mine) / 2 + kTargetRatio * mine.extent + static_cast<Real>(bulge);
+        const Aabb box = boxOfWay(world, mine, sweeps.ofSensor, reach);
         WaysOfShapes& ways = mine.def.sensor ? sweeps.ofSensors : sweeps.ofOthers;
         ways.boxes.push_back(box);
         ways.shapes.push_back(own);
-        world.broadphase->query(box, [&](ProxyId id) {
-            addPairs(world, world.proxyShapes[static_cast<std::uint32_t>(id)], own);
-            return true;
-        });
+        findPairsAlong(world, own, box);
     }
-}
-
-bool hasSensor(const WorldState& world, std::uint32_t slot) {
-    const std::vector<std::uint32_t>& shapes = world.bodies[slot].shapes;
-    return std::any_of(shapes.begin(), shapes.end(),
-                       [&](std::uint32_t shape) { return world.shapes[shape].def.sensor; });
 }
 
 /// Neighbours follow each other where their ways go into a tree.
-void listFast(WorldState& world) {
+void listFast(WorldState& world, double dt) {
     std::vector<std::uint32_t>& fast = world.sensorSweeps.fast;
     fast.clear();
     for (const std::uint32_t slot : world.awake) {
-        if (isFast(world, slot)) { fast.push_back(slot); }
+        if (mayPassUnseen(world, slot, dt)) { fast.push_back(slot); }
     }
-    const auto carriesSensor = [&world](std::uint32_t slot) { return hasSensor(world, slot); };
+    const auto carriesSensor = [&world](std::uint32_t slot) { return world.bodies[slot].hasSensor; };
     if (std::any_of(fast.begin(), fast.end(), carriesSensor)) { orderByPlace(world, fast); }
 }
 
@@ -302,12 +268,14 @@ void sweepSensors(WorldState& world, double dt) {
         ways->boxes.clear();
         ways->shapes.clear();
     }
-    listImpacts(world);
-    listFast(world);
+    listImpactsByBody(world);
+    listFast(world, dt);
+    if (!world.sensorSweeps.fast.empty()) { listFewSensors(world); }
     for (const std::uint32_t slot : world.sensorSweeps.fast) { findPairsOnWay(world, slot, dt); }
     findPairsOfWays(world);
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    std::erase_if(pairs, [&world, dt](const SensorPair& pair) { return !passesUnseen(world, pair, dt); });
     if (!pairs.empty()) { listSensorContacts(world); }
     for (const SensorPair& pair : pairs) { watchPair(world, pair, dt); }
 }

@@ -129,7 +129,7 @@ void runStages(WorldState& world, double dt) {
     if (sweeps) { sweepFastBodies(world, dt); }
     const bool areMovedSound = world.kinematicBodies == 0 || moveKinematicBodies(world, dt);
     if (sweeps || !areMovedSound) { putBackOverflown(world); }
-    if (world.sensorShapes > 0) { sweepSensors(world, dt); }
+    if (!world.sensors.empty()) { sweepSensors(world, dt); }
     clock.stop(world.stageTimes.continuous);
     if (world.anyRestLoads) { loosenMoving(world, dt); }
     if (!world.activeJoints.empty()) { breakJoints(world); }

@@ -40,6 +40,7 @@ struct Body {
     Real extent = 0;  ///< smallest extent of its solid shapes; 0: none
     Real widest = 0;  ///< largest extent of its solid shapes
     Real radius = 0;  ///< farthest solid point from the centre of mass
+    Real reach = 0;   ///< farthest point of all, sensors too
     Vec2 localCenter{};
     Vec2 force{};  ///< for the next step
     Real torque = 0;
@@ -58,16 +59,19 @@ struct Body {
     bool sunk = false;            ///< this step: likewise, so far that it is swept however slowly it goes on
     bool bounces = false;         ///< this step: comes back from something static or kinematic, or is about to
     bool rests = false;           ///< this step: something static or kinematic carries it
-    bool strikes = false;   ///< gets to something static or kinematic within this step, not slowly, or round a curve
-    bool startled = false;  ///< this step: a kinematic body may move over it
-    bool fast = false;      ///< this step: startled, or some point may move far (`kFastRatio` and its like)
-    bool flung = false;     ///< this step: the solver moved it about as far as only a fast body may
+    bool strikes = false;    ///< gets to something static or kinematic within this step, not slowly, or round a curve
+    bool startled = false;   ///< this step: a kinematic body may move over it
+    bool fast = false;       ///< this step: startled, or some point may move far (`kFastRatio` and its like)
+    bool flung = false;      ///< this step: the solver moved it about as far as only a fast body may
+    bool hasSensor = false;  ///< some of its shapes are sensors
     BodyRole role = BodyRole::idle;
     std::uint16_t searchDebt = 0;   ///< what solving its island all at once cost lately (search_debt.h)
     std::uint16_t soughtSteps = 0;  ///< in which it was still, and its island not in balance (balance.h)
     Effort effort;                  ///< of its island, this step
     DVec2 startCenter{};            ///< at the start of this step
     double startAngle = 0;
+    /// Smallest `leastPassed` of its shapes, sensors too, metres (body_measures.h).
+    Real leastPassed = std::numeric_limits<Real>::infinity();
 
     BodyDef def;                        ///< as given; pose and velocity there are not kept up to date
     std::vector<std::uint32_t> shapes;  ///< shape slots, in order of creation

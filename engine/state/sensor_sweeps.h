@@ -18,7 +18,7 @@ struct SensorPair {
     auto operator<=>(const SensorPair&) const = default;
 };
 
-/// Boxes of the ways of fast shapes through the step.
+/// Boxes of the ways of fast shapes through the step, or of where shapes are as it begins.
 struct WaysOfShapes {
     std::vector<Aabb> boxes;
     std::vector<std::uint32_t> shapes;  ///< slots, likewise
@@ -49,6 +49,7 @@ struct Waypoint {
 struct SensorSweeps {
     std::vector<SensorPair> pairs;
     std::vector<std::uint32_t> fast;  ///< body slots
+    WaysOfShapes few;                 ///< all sensors, as the step begins; only while there are few
     WaysOfShapes ofSensors;
     WaysOfShapes ofOthers;
     WideTree tree;                          ///< of the latter

@@ -82,11 +82,15 @@ struct WorldState : Workers {
     std::vector<std::uint8_t> chainSegments;  ///< by shape slot: `Shape::isChainSegment`, while it is alive
     std::vector<MassProperties> shapeMasses;  ///< by shape slot: of those of dynamic bodies
     Scratch<std::vector<MassProperties>> massParts;  ///< scratch of `updateMass`
-    std::uint32_t sensorShapes = 0;
-    std::uint32_t bouncyShapes = 0;   ///< with restitution: without any, nothing bounces
-    std::uint32_t rollingShapes = 0;  ///< with rolling resistance
-    std::uint32_t chainShapes = 0;    ///< segments of chains: without any, what rides together has nothing to pay
+    std::vector<std::uint32_t> sensors;              ///< shape slots, in no order
+    std::uint32_t bouncyShapes = 0;                  ///< with restitution: without any, nothing bounces
+    std::uint32_t rollingShapes = 0;                 ///< with rolling resistance
+    std::uint32_t chainShapes = 0;  ///< segments of chains: without any, what rides together has nothing to pay
     SensorSweeps sensorSweeps;
+    /// `leastPassed` (body_measures.h) of all shapes that are or were, or less, metres.
+    Real leastPassed = std::numeric_limits<Real>::infinity();
+    /// Likewise of sensors, from the only one on that there was last.
+    Real leastPassedOfSensors = std::numeric_limits<Real>::infinity();
     std::uint32_t kinematicBodies = 0;
     std::uint32_t fixedBodies = 0;  ///< never awake: static, or disabled
     std::uint32_t bulletBodies = 0;
