@@ -209,6 +209,26 @@ void findPairsOfWays(WorldState& world) {
     }
 }
 
+/// Of all that is fast. What carries no sensor comes last: most of that moves far from all of them.
+void findPairsOfFast(WorldState& world, double dt) {
+    SensorSweeps& sweeps = world.sensorSweeps;
+    if (sweeps.fast.empty()) { return; }
+    listFewSensors(world);
+    for (const std::uint32_t slot : sweeps.fast) {
+        if (world.bodies[slot].hasSensor) { findPairsOnWay(world, slot, dt); }
+    }
+    const bool areFew = world.sensors.size() <= kFewSensors;
+    if (areFew) {
+        sweeps.few.boxes.insert(sweeps.few.boxes.end(), sweeps.ofSensors.boxes.begin(), sweeps.ofSensors.boxes.end());
+        sweeps.few.shapes.insert(sweeps.few.shapes.end(), sweeps.ofSensors.shapes.begin(),
+                                 sweeps.ofSensors.shapes.end());
+    }
+    for (const std::uint32_t slot : sweeps.fast) {
+        if (world.bodies[slot].hasSensor || (areFew && isClearOnWay(world, slot, sweeps.few.boxes, dt))) { continue; }
+        findPairsOnWay(world, slot, dt);
+    }
+}
+
 /// By pair: a step has thousands of contacts.
 void listSensorContacts(WorldState& world) {
     std::vector<ContactOfSensor>& contacts = world.sensorSweeps.contacts;
@@ -270,8 +290,7 @@ void sweepSensors(WorldState& world, double dt) {
     }
     listImpactsByBody(world);
     listFast(world, dt);
-    if (!world.sensorSweeps.fast.empty()) { listFewSensors(world); }
-    for (const std::uint32_t slot : world.sensorSweeps.fast) { findPairsOnWay(world, slot, dt); }
+    findPairsOfFast(world, dt);
     findPairsOfWays(world);
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

@@ -8,6 +8,7 @@
 #include "../bodies/body_measures.h"
 #include "../bodies/body_mode.h"
 #include "../bodies/travel.h"
+#include "../contacts/pair_boxes.h"
 #include "../containers/sort_few.h"
 #include "../state/tolerances.h"
 
@@ -145,6 +146,20 @@ Sweep wayBetween(const WorldState& world, std::uint32_t slot, const std::vector<
     if (!(whole > 0)) { return sweep; }
     return part(sweep, std::clamp((from - start.fraction) / whole, 0.0, 1.0),
                 std::clamp((to - start.fraction) / whole, 0.0, 1.0));
+}
+
+bool isClearOnWay(const WorldState& world, std::uint32_t slot, std::span<const Aabb> boxes, double dt) {
+    if (hadImpact(world, slot)) { return false; }
+    const Body& body = world.bodies[slot];
+    const DVec2 start = body.startCenter;
+    const DVec2 end = world.motions[slot].center;
+    const double bulge = fliesFreely(body) ? lengthAtMost(curvatureOf(world, body, end - start, dt, 1)) / 4 : 0;
+    // All of it is in its circle; no width is more than two radii (see `findPairsOnWay`).
+    const Real reach = Real(1.5) * body.reach + static_cast<Real>(bulge);
+    const DVec2 lower{std::min(start.x, end.x), std::min(start.y, end.y)};
+    const DVec2 upper{std::max(start.x, end.x), std::max(start.y, end.y)};
+    const Aabb way = grown(roundedOutward(lower, upper), reach);
+    return std::none_of(boxes.begin(), boxes.end(), [&](const Aabb& box) { return overlapAtOnce<Real>(box, way); });
 }
 
 Aabb boxOfWay(const WorldState& world, const Shape& shape, const std::vector<Waypoint>& points, Real room) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "../../shapes/aabb.h"
@@ -24,6 +25,8 @@ void findWaypoints(const WorldState& world, std::uint32_t body, std::vector<Wayp
 /// The way between two fractions that have no waypoint between them. What flies goes as it did for what it hits.
 Sweep wayBetween(const WorldState& world, std::uint32_t body, const std::vector<Waypoint>& points, double from,
                  double to, double dt);
+/// Whether a body has no impacts, and comes near none of these boxes on its way. Cheap, and rather no than yes.
+bool isClearOnWay(const WorldState& world, std::uint32_t body, std::span<const Aabb> boxes, double dt);
 /// Holds a shape of the body wherever it turns along the straight lines between its waypoints, and so much room.
 Aabb boxOfWay(const WorldState& world, const Shape& shape, const std::vector<Waypoint>& points, Real room);
 /// By how much the way leaves the straight lines between its waypoints, metres.

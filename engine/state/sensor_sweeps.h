@@ -49,7 +49,7 @@ struct Waypoint {
 struct SensorSweeps {
     std::vector<SensorPair> pairs;
     std::vector<std::uint32_t> fast;  ///< body slots
-    WaysOfShapes few;                 ///< all sensors, as the step begins; only while there are few
+    WaysOfShapes few;                 ///< sensors as the step begins, and their ways; only of few
     WaysOfShapes ofSensors;
     WaysOfShapes ofOthers;
     WideTree tree;                          ///< of the latter
