@@ -6,6 +6,7 @@
 #include "../contacts/may_touch.h"
 #include "../containers/boxed_items.h"
 #include "../flight/bullets_ahead.h"
+#include "../flight/solved_pair.h"
 #include "../flight/solved_path.h"
 #include "../flight/sweep_circles.h"
 #include "../flight/sweep_obstacles.h"
@@ -23,17 +24,6 @@ void listMovers(const WorldState& world, std::span<const std::uint32_t> members,
         const Aabb box = boxOfPath(pathOf(world, slot), static_cast<double>(body.radius + kTargetRatio * body.widest));
         if (overlaps(box, box)) { movers.push_back({box, slot, isJointedBullet(world, slot)}); }
     }
-}
-
-WorldTransform startOf(const Sweep& path) { return motionAt(path, 0, toReal(path.localCenter)).pose; }
-
-/// What touches at the start is held by a contact, which is soft.
-void allowTouch(const WorldState& world, FlightObstacle& shapes, const Sweep& own, const Sweep& other) {
-    const Real margin = kEndRatio * std::min(world.shapes[shapes.own].extent, world.shapes[shapes.other].extent);
-    const WorldTransform otherStart = startOf(other);
-    const Manifold manifold = obstacleManifold(world, shapes, otherStart, startOf(own), margin);
-    if (manifold.count == 0) { return; }
-    shapes.lift = slackOf(world, shapes) * toDouble(rotate(otherStart.rotation, manifold.normal));
 }
 
 double firstMeetingOf(WorldState& world, std::uint32_t bullet, std::uint32_t other, double limit,

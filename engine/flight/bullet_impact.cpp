@@ -39,11 +39,18 @@ void noteImpulse(WorldState& world, const BulletMeeting& pair, const ContactCons
     }
 }
 
+/// In slacks: what is deeper in each other did not get there while it was swept. It stays, as in a clash: to set it
+/// apart at once would put one of both through what is beside it. Bullets that something squeezes get as deep as that.
+constexpr int kDeepest = 1;
+constexpr int kDeepestOfBullets = 4;
+
 /// Sets them back to their target along the normal, the lighter one farther; what is on its way by the solver stays on
 /// it.
 void setApart(WorldState& world, const BulletMeeting& pair, Real deepest, Vec2 normal) {
     BulletPartner& first = partnerIn(world.bulletWork, pair.first);
     BulletPartner& second = partnerIn(world.bulletWork, pair.second);
+    const int slacks = first.isBullet || second.isBullet ? kDeepestOfBullets : kDeepest;
+    if (-static_cast<double>(deepest) > slacks * slackOf(world, pair.shapes)) { return; }
     const double inverseFirst = first.flies ? static_cast<double>(first.flight.body().inverseMass) : 0;
     const double inverseSecond = second.flies ? static_cast<double>(second.flight.body().inverseMass) : 0;
     const DVec2 way = partingWay(world, pair.shapes, deepest, inverseFirst + inverseSecond, normal);

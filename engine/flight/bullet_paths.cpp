@@ -22,6 +22,10 @@ double endAtGround(const Flight& flight, Sweep& path) {
 
 }  // namespace
 
+bool mayLeave(const BulletPartner& partner) {
+    return partner.isBullet && partner.tied && !partner.held && partner.flight.body().holdingJoints == 0;
+}
+
 Sweep pathAfter(const BulletPartner& partner, double time) {
     const double length = partner.flight.dt - partner.pathFrom;
     if (time <= partner.pathFrom || !(length > 0)) { return partner.path; }

@@ -4,6 +4,9 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
+/// Whether it is a bullet that contacts alone keep on the way that the solver gave it: where that leads through another
+/// such body, or one that left its own, or is long, it takes off.
+bool mayLeave(const BulletPartner& partner);
 /// The path from a time on. @pre before the end of the step
 Sweep pathAfter(const BulletPartner& partner, double time);
 /// Where a body that hangs on to another one goes with it from a time on, up to what static or kinematic thing it is

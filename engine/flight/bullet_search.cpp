@@ -19,6 +19,7 @@
 #include "bullet_start.h"
 #include "flight_state.h"
 #include "free_path.h"
+#include "solved_pair.h"
 #include "sweep_circles.h"
 #include "sweep_tolerances.h"
 
@@ -83,6 +84,30 @@ Vec2 carrierOf(const BulletWork& work, const BulletPartner& first, std::uint32_t
     return {};
 }
 
+double turnOf(const Sweep& path) { return std::fabs(path.a1 - path.a0); }
+
+/// How far any point of one may get relative to the other, metres; turns count as if they were not the same.
+double wayBetween(const Body& body, const Sweep& path, const Body& otherBody, const Sweep& otherPath) {
+    const DVec2 way = (path.c1 - path.c0) - (otherPath.c1 - otherPath.c0);
+    return length(way) + turnOf(path) * static_cast<double>(body.radius) +
+           turnOf(otherPath) * static_cast<double>(otherBody.radius);
+}
+
+/// Radians in a step beyond which ways along something that turns are no straight ones.
+constexpr double kMostTurn = 1;
+
+/// Two that the solver moved, one of them a bullet that may leave its way. What contacts do to them is done, and of
+/// those only what is fast gets far into what it touches, or past it.
+bool mayPass(const BulletPartner& first, const BulletPartner& second, const Sweep& otherPath, const Sweep& path) {
+    if (!mayLeave(first) && !mayLeave(second)) { return false; }
+    const Body& body = first.flight.body();
+    const Body& other = second.flight.body();
+    const Sweep& longer = body.radius > other.radius ? otherPath : path;
+    if (turnOf(longer) > kMostTurn) { return false; }
+    const auto extent = static_cast<double>(std::min(body.extent, other.extent));
+    return wayBetween(body, otherPath, other, path) > static_cast<double>(kFastRatio) * extent;
+}
+
 /// First impact of any two of their shapes from now on.
 void predict(const WorldState& world, std::uint32_t one, std::uint32_t other, FlightScratch& scratch,
              std::vector<BulletMeeting>& meetings) {
@@ -93,11 +118,13 @@ void predict(const WorldState& world, std::uint32_t one, std::uint32_t other, Fl
     const double from = std::max(first.pathFrom, second.pathFrom);
     const bool wereTogether = first.clash != kNoIndex && first.clash == second.clash;
     if (!first.isBullet && !second.isBullet && !wereTogether) { return; }
-    if ((first.tied && second.tied) || !(from < work.dt)) { return; }
+    if (!(from < work.dt)) { return; }
     const Body& firstBody = world.bodies[first.flight.slot];
     const Body& secondBody = world.bodies[second.flight.slot];
     const Sweep path = pathAfter(second, from);
     const Sweep otherPath = pathAfter(first, from);
+    const bool areTied = first.tied && second.tied;
+    if (areTied && !mayPass(first, second, otherPath, path)) { return; }
     const Real circles =
         (firstBody.radius + secondBody.radius) + kTargetRatio * std::min(firstBody.widest, secondBody.widest);
     if (stayBeyond(otherPath, path, static_cast<double>(circles))) { return; }
@@ -116,9 +143,13 @@ void predict(const WorldState& world, std::uint32_t one, std::uint32_t other, Fl
             if (a.def.sensor || b.def.sensor || !mayTouch(world, a, b) || !(limit > 0)) { continue; }
             FlightObstacle shapes{.own = own, .other = met};
             shapes.level = targetOf(world, shapes);
-            shapes.lift = rideSag(world, shapes, std::max(first.impacts, second.impacts)) * toDouble(carrier);
+            if (areTied) {
+                allowTouch(world, shapes, path, otherPath);
+            } else {
+                shapes.lift = rideSag(world, shapes, std::max(first.impacts, second.impacts)) * toDouble(carrier);
+            }
             const FirstImpact impact = firstImpactWith(world, path, otherPath, shapes, limit, scratch);
-            if (!impact.hit) { continue; }
+            if (!impact.hit || (areTied && !endsBeyond(world, shapes, path, otherPath, impact.fraction))) { continue; }
             limit = impact.fraction;
             meeting.shapes = shapes;
             meeting.time = from + impact.fraction * (work.dt - from);
@@ -129,7 +160,7 @@ void predict(const WorldState& world, std::uint32_t one, std::uint32_t other, Fl
 
 /// Whether it looks for others. Where there are bullets that do not, what may meet them does.
 bool searches(const BulletWork& work, const BulletPartner& partner) {
-    return partner.isBullet || partner.clash != kNoIndex || (!partner.tied && work.areSomeAtRest);
+    return partner.isBullet || partner.clash != kNoIndex || work.areSomeAtRest;
 }
 
 /// What is slow, and lies where the paths of some partners lead that are near each other; some of it more than once.

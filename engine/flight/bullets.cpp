@@ -1,6 +1,7 @@
 #include "bullets.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "../bodies/awake.h"
 #include "../islands/reset_bodies.h"
@@ -71,7 +72,6 @@ void takeOff(WorldState& world, BulletPartner& partner, double time) {
     const Body& body = flight.body();
     const double length = flight.dt - partner.pathFrom;
     const BodyMotion now = motionAt(partner.path, (time - partner.pathFrom) / length, body.localCenter);
-    flight.motion = world.motions[flight.slot];
     flight.motion.center = now.center;
     flight.motion.angle = now.angle;
     flight.motion.pose = now.pose;
@@ -105,7 +105,7 @@ void ride(BulletPartner& rider, const BulletPartner& carrier, double time) {
     rider.path = pathWith(rider, carrier, time);
     rider.pathFrom = time;
     rider.flies = false;
-    rider.tied = true;
+    rider.tied = rider.held = true;
 }
 
 /// Counts one impact more. @return whether it was one too many
@@ -126,7 +126,7 @@ void stop(BulletPartner& partner, double time, LostTimeReason reason) {
                     .a1 = end.angle};
     partner.pathFrom = time;
     partner.flies = false;
-    partner.tied = true;
+    partner.tied = partner.held = true;
 }
 
 /// What a member of this moment met that does not get out of the way in this step; null: nothing.
@@ -139,11 +139,36 @@ const BulletPartner* tiedBeside(WorldState& world, std::uint32_t slot) {
     return nullptr;
 }
 
+bool isFast(const BulletPartner& partner) {
+    const Body& body = partner.flight.body();
+    const Sweep& path = partner.path;
+    const double turned = std::fabs(path.a1 - path.a0) * static_cast<double>(body.radius);
+    return length(path.c1 - path.c0) + turned > static_cast<double>(kFastRatio * body.extent);
+}
+
+void leave(BulletPartner& partner) {
+    partner.tied = false;
+    partner.left = true;
+}
+
+/// Of two that are tied, both on the ways that the solver gave them, a bullet leaves its own; and so does one in the
+/// way of what left.
+void untie(BulletWork& work) {
+    for (const BulletMeeting& pair : work.together) {
+        BulletPartner& first = partnerIn(work, pair.first);
+        BulletPartner& second = partnerIn(work, pair.second);
+        const bool isFirstTied = first.tied;
+        if (mayLeave(first) && (second.tied || second.left || isFast(first))) { leave(first); }
+        if (mayLeave(second) && (isFirstTied || first.left || isFast(second))) { leave(second); }
+    }
+}
+
 /// All meetings of this moment.
 void meet(WorldState& world, FlightScratch& scratch) {
     BulletWork& work = world.bulletWork;
     const double time = work.together.front().time;
     listMembers(work);
+    untie(work);
     for (const std::uint32_t index : work.members) { bringTo(world, work.partners[index], time); }
     collideBodies(world, scratch);
     scratch.counters.impacts += work.together.size();
