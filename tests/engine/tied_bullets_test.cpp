@@ -13,7 +13,7 @@
 namespace swept::test {
 namespace {
 
-BodyDef bulletAt(DVec2 position, Vec2 velocity, double spin = 0) {
+BodyDef tiedBulletAt(DVec2 position, Vec2 velocity, double spin = 0) {
     BodyDef def = dynamicAt(position, velocity, spin);
     def.bullet = true;
     return def;
@@ -28,13 +28,13 @@ DVec2 seenFrom(const World& world, BodyId plank, BodyId body) {
     return turned(world.position(body) - world.position(plank), -static_cast<double>(world.angle(plank)));
 }
 
-constexpr double kPlankHalf = 4;
+constexpr double kTiedPlankHalf = 4;
 
 /// Whether a body is behind a plank that it began in front of, and the plank has not turned far yet.
 enum class Side { front, behind, unknown };
 Side sideOf(const World& world, BodyId plank, BodyId body) {
     const DVec2 place = seenFrom(world, plank, body);
-    const bool isBeside = std::abs(place.y) > 0.8 * kPlankHalf;
+    const bool isBeside = std::abs(place.y) > 0.8 * kTiedPlankHalf;
     if (isBeside || std::abs(static_cast<double>(world.angle(plank))) > 0.5) { return Side::unknown; }
     return place.x > 0 ? Side::behind : Side::front;
 }
@@ -53,7 +53,7 @@ TEST(TiedBullets, StayInFrontOfPlanksThatAreSetApart) {
             const double density = std::pow(10, random.range(0, 3));
             const double restitution = random.chance(0.5) ? random.range(0, 1) : 0;
             planks.push_back(
-                addBody(world, dynamicAt({x, 0}), box(0.02, kPlankHalf), material(0.6, restitution, density)));
+                addBody(world, dynamicAt({x, 0}), box(0.02, kTiedPlankHalf), material(0.6, restitution, density)));
         }
         const double y = random.range(-2, 2);
         const double speed = std::pow(10, random.range(1, 3));
@@ -61,7 +61,7 @@ TEST(TiedBullets, StayInFrontOfPlanksThatAreSetApart) {
         const double spin = random.range(-200, 200);
         const double size = random.range(0.02, 0.2);
         const double density = std::pow(10, random.range(-1, 2));
-        const BodyId bullet = addBody(world, bulletAt({0, y}, vec(speed, aside), spin),
+        const BodyId bullet = addBody(world, tiedBulletAt({0, y}, vec(speed, aside), spin),
                                       seed % 4 < 2 ? circle(size) : box(size, 0.6 * size), material(0.6, 0, density));
         for (int i = 0; i < 40; ++i) {
             run(world, 1);
@@ -87,7 +87,7 @@ struct Volley {
         Random random(seed);
         const double half = random.range(0.02, 0.06);
         const double plankDensity = std::pow(10, random.range(0.5, 2.5));
-        plank = addBody(world, dynamicAt({0, 0}), box(half, kPlankHalf), material(0.3, 0, plankDensity));
+        plank = addBody(world, dynamicAt({0, 0}), box(half, kTiedPlankHalf), material(0.3, 0, plankDensity));
         all.push_back(plank);
         for (const double y : {-2.0, 0.5}) {
             const double density = std::pow(10, random.range(0, 2));
@@ -102,7 +102,7 @@ struct Volley {
         for (int row = 0; row < rows; ++row) {
             for (int column = 0; column < columns; ++column) {
                 const DVec2 place{-from - 2 * kSize * row, 2 * kSize * (column - 0.5 * columns)};
-                bullets.push_back(addBody(world, bulletAt(place, vec(speed, 0)), polygon, material(0.3, 0, 10)));
+                bullets.push_back(addBody(world, tiedBulletAt(place, vec(speed, 0)), polygon, material(0.3, 0, 10)));
             }
         }
         all.insert(all.end(), bullets.begin(), bullets.end());
@@ -155,13 +155,13 @@ TEST(TiedBullets, AtRestArePassedByNoPlank) {
                 WorldSettings settings = awakeSettings(profile, 0);
                 settings.sleep = sleep;
                 World world = makeWorld(settings);
-                const BodyId bullet = addBody(world, bulletAt({0, 0}, {}), circle(0.1), material(0.3, 0, 10));
+                const BodyId bullet = addBody(world, tiedBulletAt({0, 0}, {}), circle(0.1), material(0.3, 0, 10));
                 addBody(world, dynamicAt({0.3, 0}), box(0.2, 0.2), material(0.3, 0, 10));
                 run(world, sleep ? 300 : 3);
                 const double speed = 60;
                 const double from = -0.5 - speed * kStep * late / 8;
-                const BodyId plank =
-                    addBody(world, dynamicAt({from, 0}, vec(speed, 0)), box(0.02, kPlankHalf), material(0.3, 0, 10));
+                const BodyId plank = addBody(world, dynamicAt({from, 0}, vec(speed, 0)), box(0.02, kTiedPlankHalf),
+                                             material(0.3, 0, 10));
                 addBody(world, dynamicAt({from - 0.07, 2}, vec(speed, 0)), box(0.05, 0.05), material(0.3, 0, 10));
                 for (int i = 0; i < 10; ++i) {
                     run(world, 1);
