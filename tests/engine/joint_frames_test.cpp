@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 #include <string>
 #include <variant>
 #include <vector>
@@ -364,41 +363,6 @@ TEST(JointFrames, StayInDefinitions) {
     World copy;
     must(copy.load(door.world.save()));
     EXPECT_EQ(std::get<RevoluteJointDef>(copy.definition(hinge)).referenceAngle, 0.0);
-}
-
-TEST(JointFrames, ThatAreNoNumbersAreRefused) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double infinity = std::numeric_limits<double>::infinity();
-    World world = makeWorld();
-    const JointDef base = between(addStatic(world, box(1, 1)), addBody(world, dynamicAt({3, 0}), box(1, 1)));
-    const auto expectRefused = [&](auto def, StatusCode code, const std::string& field) {
-        def.base = base;
-        const Status status = world.createJoint(def).status();
-        EXPECT_EQ(status.code, code) << field;
-        EXPECT_EQ(std::string(status.field), field);
-        EXPECT_EQ(world.jointCount(), 0U);
-    };
-    const auto expectGripRefused = [&](auto def) {
-        def.anchorB = DVec2{0, nan};
-        expectRefused(def, StatusCode::notFinite, "anchorB");
-        def.anchorB = DVec2{1e200, 0};
-        expectRefused(def, StatusCode::outOfRange, "anchorB");
-        def.anchorB.reset();
-        def.referenceAngle = infinity;
-        expectRefused(def, StatusCode::notFinite, "referenceAngle");
-        def.referenceAngle = 1e200;
-        expectRefused(def, StatusCode::outOfRange, "referenceAngle");
-    };
-    expectGripRefused(RevoluteJointDef{});
-    expectGripRefused(PrismaticJointDef{});
-    expectGripRefused(WheelJointDef{});
-    expectGripRefused(WeldJointDef{});
-    expectRefused(MotorJointDef{.referenceAngle = nan}, StatusCode::notFinite, "referenceAngle");
-    PulleyJointDef pulley;
-    pulley.length = real(0);
-    expectRefused(pulley, StatusCode::notPositive, "length");
-    pulley.length = real(infinity);
-    expectRefused(pulley, StatusCode::notFinite, "length");
 }
 
 }  // namespace
