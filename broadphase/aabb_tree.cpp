@@ -21,7 +21,7 @@ NodeIndex AabbTree::insert(const Aabb& box, std::uint32_t slot, bool moved) {
     const NodeIndex leaf = allocate();
     TreeNode& node = nodes_[leaf];
     node.box = box;
-    node.child = {kNoNode, slot};
+    node.child = {kNoTreeNode, slot};
     node.moved = moved;
     attach(leaf);
     return leaf;
@@ -34,16 +34,16 @@ void AabbTree::erase(NodeIndex leaf) {
 
 void AabbTree::clear() {
     nodes_.clear();
-    root_ = firstFree_ = kNoNode;
+    root_ = firstFree_ = kNoTreeNode;
 }
 
 void AabbTree::move(NodeIndex leaf, const Aabb& box) {
     TreeNode& node = nodes_[leaf];
     const NodeIndex parent = node.parent;
-    const NodeIndex grandparent = parent == kNoNode ? kNoNode : nodes_[parent].parent;
+    const NodeIndex grandparent = parent == kNoTreeNode ? kNoTreeNode : nodes_[parent].parent;
     // A short way leaves the leaf where it is: cheaper than a search, and the rotations above keep the tree good. What
     // leaves its grandparent's box is at home somewhere else.
-    if (parent == kNoNode || (grandparent != kNoNode && contains(nodes_[grandparent].box, box)) ||
+    if (parent == kNoTreeNode || (grandparent != kNoTreeNode && contains(nodes_[grandparent].box, box)) ||
         contains(nodes_[parent].box, box)) {
         node.box = box;
         markUpward(leaf);
@@ -57,11 +57,11 @@ void AabbTree::move(NodeIndex leaf, const Aabb& box) {
 }
 
 void AabbTree::clearMoved(NodeIndex leaf) {
-    for (NodeIndex i = leaf; i != kNoNode && nodes_[i].moved; i = nodes_[i].parent) { nodes_[i].moved = false; }
+    for (NodeIndex i = leaf; i != kNoTreeNode && nodes_[i].moved; i = nodes_[i].parent) { nodes_[i].moved = false; }
 }
 
 NodeIndex AabbTree::allocate() {
-    if (firstFree_ == kNoNode) {
+    if (firstFree_ == kNoTreeNode) {
         nodes_.emplace_back();
         return static_cast<NodeIndex>(nodes_.size() - 1);
     }
@@ -77,9 +77,9 @@ void AabbTree::release(NodeIndex index) {
 }
 
 void AabbTree::attach(NodeIndex leaf) {
-    if (root_ == kNoNode) {
+    if (root_ == kNoTreeNode) {
         root_ = leaf;
-        nodes_[leaf].parent = kNoNode;
+        nodes_[leaf].parent = kNoTreeNode;
         return;
     }
     const NodeIndex sibling = chooseSibling(nodes_[leaf].box);
@@ -96,8 +96,8 @@ void AabbTree::attach(NodeIndex leaf) {
 
 void AabbTree::detach(NodeIndex leaf) {
     const NodeIndex parent = nodes_[leaf].parent;
-    if (parent == kNoNode) {
-        root_ = kNoNode;
+    if (parent == kNoTreeNode) {
+        root_ = kNoTreeNode;
         return;
     }
     const std::array<NodeIndex, 2> children = nodes_[parent].child;
@@ -110,7 +110,7 @@ void AabbTree::detach(NodeIndex leaf) {
 }
 
 void AabbTree::replaceChild(NodeIndex parent, NodeIndex before, NodeIndex after) {
-    if (parent == kNoNode) {
+    if (parent == kNoTreeNode) {
         root_ = after;
         return;
     }
@@ -208,7 +208,7 @@ void AabbTree::rotate(NodeIndex index) {
 
 /// Brings a node and all above it up to date; ends early where nothing changes any more.
 void AabbTree::repairUpward(NodeIndex index) {
-    while (index != kNoNode) {
+    while (index != kNoTreeNode) {
         const TreeNode before = nodes_[index];
         pull(index);
         rotate(index);
@@ -223,7 +223,7 @@ void AabbTree::repairUpward(NodeIndex index) {
 
 /// A marked node has only marked ones above it, so the walk ends at the first.
 void AabbTree::markUpward(NodeIndex leaf) {
-    for (NodeIndex i = leaf; i != kNoNode && !nodes_[i].moved; i = nodes_[i].parent) { nodes_[i].moved = true; }
+    for (NodeIndex i = leaf; i != kNoTreeNode && !nodes_[i].moved; i = nodes_[i].parent) { nodes_[i].moved = true; }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

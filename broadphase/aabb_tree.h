@@ -13,7 +13,7 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// Place of a node in its tree.
 using NodeIndex = std::uint32_t;
-inline constexpr NodeIndex kNoNode = (std::numeric_limits<NodeIndex>::max)();
+inline constexpr NodeIndex kNoTreeNode = (std::numeric_limits<NodeIndex>::max)();
 
 /// No tree is ever higher, whatever is put into it in whatever order, so that walks need no more than a fixed stack.
 /// The shallowest leaf of 2³² leaves lies at most 32 deep: there is always a place for one more.
@@ -21,13 +21,13 @@ inline constexpr int kMaxTreeHeight = 62;
 
 struct TreeNode {
     Aabb box;
-    NodeIndex parent = kNoNode;
-    std::array<NodeIndex, 2> child = {kNoNode, 0};  ///< a leaf has no first child; its second is the proxy slot
-    std::uint8_t height = 0;                        ///< edges to the deepest leaf below
-    std::uint8_t shallowest = 0;                    ///< edges to the shallowest leaf below
-    bool moved = false;                             ///< whether some leaf below has moved
+    NodeIndex parent = kNoTreeNode;
+    std::array<NodeIndex, 2> child = {kNoTreeNode, 0};  ///< a leaf has no first child; its second is the proxy slot
+    std::uint8_t height = 0;                            ///< edges to the deepest leaf below
+    std::uint8_t shallowest = 0;                        ///< edges to the shallowest leaf below
+    bool moved = false;                                 ///< whether some leaf below has moved
 
-    bool isLeaf() const { return child[0] == kNoNode; }
+    bool isLeaf() const { return child[0] == kNoTreeNode; }
     std::uint32_t slot() const { return child[1]; }
 };
 static_assert(sizeof(TreeNode) <= 64, "a node is read in one cache line");
@@ -77,8 +77,8 @@ private:
     void markUpward(NodeIndex leaf);
 
     std::vector<TreeNode> nodes_;
-    NodeIndex root_ = kNoNode;
-    NodeIndex firstFree_ = kNoNode;  // free nodes are chained through `parent`
+    NodeIndex root_ = kNoTreeNode;
+    NodeIndex firstFree_ = kNoTreeNode;  // free nodes are chained through `parent`
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

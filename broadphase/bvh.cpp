@@ -5,7 +5,7 @@
 namespace swept::inline SWEPT_PRECISION {
 
 void Bvh::onInsert(std::uint32_t slot) {
-    if (slot == leaves_.size()) { leaves_.push_back(kNoNode); }
+    if (slot == leaves_.size()) { leaves_.push_back(kNoTreeNode); }
     leaves_[slot] = treeAt(slot).insert(table().boxAt(slot), slot, true);
 }
 
@@ -29,7 +29,7 @@ std::uint64_t Bvh::join(PairSink& sink, TaskSystem& /*loops*/) {
             const AabbTree& b = trees_[static_cast<std::size_t>(second)];
             if (first == second) {
                 tests += joinWithin(a, report);
-            } else if (a.root() != kNoNode && b.root() != kNoNode) {
+            } else if (a.root() != kNoTreeNode && b.root() != kNoTreeNode) {
                 tests += joinNodes(a, a.root(), b, b.root(), report);
             }
         }

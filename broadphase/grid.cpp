@@ -4,17 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "slot_lists.h"
+
 namespace swept::inline SWEPT_PRECISION {
 
 namespace {
 
-constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t kFewestBuckets = 16;
-
-double longerSide(const Aabb& box) {
-    return std::max(static_cast<double>(box.upper.x) - static_cast<double>(box.lower.x),
-                    static_cast<double>(box.upper.y) - static_cast<double>(box.lower.y));
-}
 
 constexpr std::int32_t kLastCell = 2'000'000'000;
 
@@ -31,7 +27,7 @@ constexpr double kFullCell = 1 - 0x1p-10;
 
 }  // namespace
 
-Grid::Grid() : buckets_(kFewestBuckets, kEnd), firstGiant_(kEnd) {}
+Grid::Grid() : buckets_(kFewestBuckets, kEndOfList), firstGiant_(kEndOfList) {}
 
 Grid::Cell Grid::cellAt(Vec2 point) const { return {indexOf(point.x, cell_), indexOf(point.y, cell_)}; }
 
@@ -52,8 +48,8 @@ void Grid::file(std::uint32_t slot) {
     cells_[slot] = cellAt(box.lower);
     std::uint32_t& head = listOf(slot);
     next_[slot] = head;
-    previous_[slot] = kEnd;
-    if (head != kEnd) { previous_[head] = slot; }
+    previous_[slot] = kEndOfList;
+    if (head != kEndOfList) { previous_[head] = slot; }
     head = slot;
     giants_ += isGiant_[slot];
     ++filed_;
@@ -64,16 +60,16 @@ void Grid::file(std::uint32_t slot) {
 void Grid::takeOut(std::uint32_t slot) {
     const std::uint32_t next = next_[slot];
     const std::uint32_t previous = previous_[slot];
-    if (next != kEnd) { previous_[next] = previous; }
-    (previous != kEnd ? next_[previous] : listOf(slot)) = next;
+    if (next != kEndOfList) { previous_[next] = previous; }
+    (previous != kEndOfList ? next_[previous] : listOf(slot)) = next;
     giants_ -= isGiant_[slot];
     --filed_;
 }
 
 void Grid::onInsert(std::uint32_t slot) {
     if (slot == next_.size()) {
-        next_.push_back(kEnd);
-        previous_.push_back(kEnd);
+        next_.push_back(kEndOfList);
+        previous_.push_back(kEndOfList);
         cells_.push_back({});
         isGiant_.push_back(0);
     }
@@ -111,8 +107,8 @@ void Grid::chooseCell() {
 
 void Grid::refileAll() {
     chooseCell();
-    buckets_.assign(std::max(kFewestBuckets, 2 * std::bit_ceil(filed_)), kEnd);
-    firstGiant_ = kEnd;
+    buckets_.assign(std::max(kFewestBuckets, 2 * std::bit_ceil(filed_)), kEndOfList);
+    firstGiant_ = kEndOfList;
     giants_ = 0;
     filed_ = 0;
     used_ = {{kLastCell, kLastCell}, {-kLastCell, -kLastCell}};
@@ -125,7 +121,7 @@ void Grid::refileAll() {
 
 template <class Offer>
 bool Grid::offerCell(Cell cell, const Offer& offer) const {
-    for (std::uint32_t slot = buckets_[bucketOf(cell)]; slot != kEnd; slot = next_[slot]) {
+    for (std::uint32_t slot = buckets_[bucketOf(cell)]; slot != kEndOfList; slot = next_[slot]) {
         if (cells_[slot] == cell && !offer(slot)) { return false; }  // lists may be shared by several cells
     }
     return true;
@@ -148,7 +144,7 @@ void Grid::offerAround(const Aabb& box, const Offer& offer) const {
             if (!offerCell({x, y}, offer)) { return; }
         }
     }
-    for (std::uint32_t slot = firstGiant_; slot != kEnd; slot = next_[slot]) {
+    for (std::uint32_t slot = firstGiant_; slot != kEndOfList; slot = next_[slot]) {
         if (!offer(slot)) { return; }
     }
 }
@@ -182,7 +178,7 @@ std::uint64_t Grid::visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> vi
 
 void Grid::visitAlong(SweepVisit& visit) const {
     if (filed_ == 0) { return; }  // then `used_` may be no range at all: halving it would go on for ever
-    for (std::uint32_t slot = firstGiant_; slot != kEnd; slot = next_[slot]) {
+    for (std::uint32_t slot = firstGiant_; slot != kEndOfList; slot = next_[slot]) {
         if (visit.meets(table().boxAt(slot))) { visit.show(slot); }
         if (visit.isOver()) { return; }
     }

@@ -3,11 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "slot_lists.h"
+
 namespace swept::inline SWEPT_PRECISION {
 
 namespace {
 
-constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
 constexpr int kMostLevels = 32;
 /// Against coordinates, a square is never so small that its borders are lost in rounding.
 constexpr double kLeastSquare = 0x1p-40;
@@ -15,11 +16,6 @@ constexpr double kLeastSquare = 0x1p-40;
 constexpr double kLooseness = 1 + 0x1p-8;
 /// Beyond, sums of coordinates and sides could overflow.
 constexpr double kFarthest = static_cast<double>(std::numeric_limits<Real>::max()) * 0x1p-8;
-
-double longerSide(const Aabb& box) {
-    return std::max(static_cast<double>(box.upper.x) - static_cast<double>(box.lower.x),
-                    static_cast<double>(box.upper.y) - static_cast<double>(box.lower.y));
-}
 
 /// Largest coordinate, without its sign.
 double farthest(const Aabb& box) {
@@ -59,7 +55,7 @@ Quadtree::SquareIndex Quadtree::addSquare(double x, double y, double half, Squar
                        .half = half,
                        .loose = roundedOutward({x - down, y - down}, {x + up, y + up}),
                        .parent = parent,
-                       .first = kEnd};
+                       .first = kEndOfList};
     return index;
 }
 
@@ -108,8 +104,8 @@ void Quadtree::put(std::uint32_t slot) {
     Square& square = squares_[index];
     standsIn_[slot] = index;
     next_[slot] = square.first;
-    previous_[slot] = kEnd;
-    if (square.first != kEnd) { previous_[square.first] = slot; }
+    previous_[slot] = kEndOfList;
+    if (square.first != kEndOfList) { previous_[square.first] = slot; }
     square.first = slot;
     for (SquareIndex i = index; i != 0; i = squares_[i].parent) { ++squares_[i].count; }
 }
@@ -118,8 +114,8 @@ void Quadtree::takeOut(std::uint32_t slot) {
     const SquareIndex index = standsIn_[slot];
     const std::uint32_t next = next_[slot];
     const std::uint32_t previous = previous_[slot];
-    if (next != kEnd) { previous_[next] = previous; }
-    (previous != kEnd ? next_[previous] : squares_[index].first) = next;
+    if (next != kEndOfList) { previous_[next] = previous; }
+    (previous != kEndOfList ? next_[previous] : squares_[index].first) = next;
     for (SquareIndex i = index; i != 0;) {
         const SquareIndex parent = squares_[i].parent;
         if (--squares_[i].count == 0) {
@@ -136,8 +132,8 @@ void Quadtree::takeOut(std::uint32_t slot) {
 void Quadtree::onInsert(std::uint32_t slot) {
     if (slot == standsIn_.size()) {
         standsIn_.push_back(0);
-        next_.push_back(kEnd);
-        previous_.push_back(kEnd);
+        next_.push_back(kEndOfList);
+        previous_.push_back(kEndOfList);
     }
     put(slot);
 }
@@ -152,7 +148,7 @@ template <class Offer>
 bool Quadtree::offerBelow(SquareIndex index, const Aabb& box, const Offer& offer) const {
     const Square& square = squares_[index];
     if (!overlaps(square.loose, box)) { return true; }
-    for (std::uint32_t slot = square.first; slot != kEnd; slot = next_[slot]) {
+    for (std::uint32_t slot = square.first; slot != kEndOfList; slot = next_[slot]) {
         if (!offer(slot)) { return false; }
     }
     for (const SquareIndex quarter : square.quarters) {
@@ -192,7 +188,7 @@ std::uint64_t Quadtree::visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)
 void Quadtree::walkBelow(SquareIndex index, SweepVisit& visit) const {
     const Square& square = squares_[index];
     if (!visit.meets(square.loose)) { return; }
-    for (std::uint32_t slot = square.first; slot != kEnd && !visit.isOver(); slot = next_[slot]) {
+    for (std::uint32_t slot = square.first; slot != kEndOfList && !visit.isOver(); slot = next_[slot]) {
         if (visit.meets(table().boxAt(slot))) { visit.show(slot); }
     }
     for (const SquareIndex quarter : square.quarters) {
@@ -201,7 +197,7 @@ void Quadtree::walkBelow(SquareIndex index, SweepVisit& visit) const {
 }
 
 void Quadtree::visitAlong(SweepVisit& visit) const {
-    if (squares_[0].first != kEnd) { walkBelow(0, visit); }
+    if (squares_[0].first != kEndOfList) { walkBelow(0, visit); }
     if (root_ != 0 && !visit.isOver()) { walkBelow(root_, visit); }
 }
 

@@ -30,7 +30,7 @@ inline constexpr std::size_t kTwoTreeStack = 2 * kMaxTreeHeight + 2;
 /// `goOn` tells whether the walk came to its end.
 template <class Visit>
 std::uint64_t walkOverlaps(const AabbTree& tree, const Aabb& box, bool& goOn, const Visit& visit) {
-    if (tree.root() == kNoNode) { return 0; }
+    if (tree.root() == kNoTreeNode) { return 0; }
     std::uint64_t tests = 1;
     WalkStack<NodeIndex, kOneTreeStack> stack;
     if (overlaps(tree.node(tree.root()).box, box)) { stack.push(tree.root()); }
@@ -55,7 +55,7 @@ inline void walkSweep(const AabbTree& tree, SweepVisit& visit) {
         NodeIndex index;
         double touch;
     };
-    if (tree.root() == kNoNode) { return; }
+    if (tree.root() == kNoTreeNode) { return; }
     WalkStack<Entry, kOneTreeStack> stack;
     const auto entryOf = [&](NodeIndex i) { return Entry{i, visit.touch(tree.node(i).box)}; };
     if (const Entry root = entryOf(tree.root()); root.touch != BoxSweep::kNever) { stack.push(root); }
@@ -117,7 +117,7 @@ std::uint64_t joinNodes(const AabbTree& treeA, NodeIndex a, const AabbTree& tree
 /// part at just one inner node, so each is found by joining that node's two children.
 template <class Report>
 std::uint64_t joinWithin(const AabbTree& tree, const Report& report) {
-    if (tree.root() == kNoNode) { return 0; }
+    if (tree.root() == kNoTreeNode) { return 0; }
     std::uint64_t tests = 0;
     WalkStack<NodeIndex, kOneTreeStack> stack;
     stack.push(tree.root());

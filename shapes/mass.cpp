@@ -7,9 +7,9 @@ namespace swept::inline SWEPT_PRECISION {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
-constexpr DVec2 rightPerp(DVec2 a) { return {a.y, -a.x}; }
+constexpr DVec2 quarterTurned(DVec2 a) { return {a.y, -a.x}; }
 
 /// Moments of an area about one origin; areas add up.
 struct Moments {
@@ -35,41 +35,41 @@ Moments triangle(DVec2 a, DVec2 b) {
 Moments rectangle(DVec2 edge, double radius) {
     const double edgeLength = length(edge);
     const double area = edgeLength * radius;
-    const DVec2 center = 0.5 * (edge + (radius / edgeLength) * rightPerp(edge));
+    const DVec2 center = 0.5 * (edge + (radius / edgeLength) * quarterTurned(edge));
     return {area, area * center, (area / 3) * (edgeLength * edgeLength + radius * radius)};
 }
 
 /// Sector of a disk about the origin, between two unit vectors `angle` apart.
 Moments sector(DVec2 from, DVec2 to, double angle, double radius) {
     const double cube = radius * radius * radius;
-    return {0.5 * angle * radius * radius, (cube / 3) * rightPerp(to - from), 0.25 * angle * cube * radius};
+    return {0.5 * angle * radius * radius, (cube / 3) * quarterTurned(to - from), 0.25 * angle * cube * radius};
 }
 
 /// Vertex relative to the first one.
-DVec2 vertexOf(const Polygon& polygon, int i) {
+DVec2 cornerAt(const Polygon& polygon, int i) {
     return toDouble(polygon.vertices[static_cast<std::size_t>(i)]) - toDouble(polygon.vertices[0]);
 }
 
 /// What the radius adds at vertex i and at the edge behind it.
 void addRounding(Moments& sum, const Polygon& polygon, int i) {
     const double radius = static_cast<double>(polygon.radius);
-    const DVec2 vertex = vertexOf(polygon, i);
-    const DVec2 in = vertex - vertexOf(polygon, polygon.previous(i));
-    const DVec2 out = vertexOf(polygon, polygon.next(i)) - vertex;
+    const DVec2 vertex = cornerAt(polygon, i);
+    const DVec2 in = vertex - cornerAt(polygon, polygon.previous(i));
+    const DVec2 out = cornerAt(polygon, polygon.next(i)) - vertex;
     // The two edges of a segment are opposite; rounding must not turn π into −π.
-    const double angle = polygon.count == 2 ? kPi : arcTangent2(cross(in, out), dot(in, out));
-    const DVec2 from = (1 / length(in)) * rightPerp(in);
-    const DVec2 to = (1 / length(out)) * rightPerp(out);
+    const double angle = polygon.count == 2 ? kHalfTurn : arcTangent2(cross(in, out), dot(in, out));
+    const DVec2 from = (1 / length(in)) * quarterTurned(in);
+    const DVec2 to = (1 / length(out)) * quarterTurned(out);
     add(sum, sector(from, to, angle, radius), vertex);
     add(sum, rectangle(out, radius), vertex);
 }
 
 Moments momentsOf(const Polygon& polygon) {
     const double radius = static_cast<double>(polygon.radius);
-    if (polygon.count == 1) { return sector({1, 0}, {1, 0}, 2 * kPi, radius); }
+    if (polygon.count == 1) { return sector({1, 0}, {1, 0}, 2 * kHalfTurn, radius); }
     Moments sum;
     for (int i = 1; i + 1 < polygon.count; ++i) {
-        add(sum, triangle(vertexOf(polygon, i), vertexOf(polygon, i + 1)), {});
+        add(sum, triangle(cornerAt(polygon, i), cornerAt(polygon, i + 1)), {});
     }
     for (int i = 0; i < polygon.count && radius > 0; ++i) { addRounding(sum, polygon, i); }
     return sum;
@@ -80,7 +80,7 @@ Moments momentsOf(const Polygon& polygon) {
 MassProperties massOf(const Polygon& polygon, Real density) {
     const DVec2 origin = toDouble(polygon.vertices[0]);
     const Moments moments = momentsOf(polygon);
-    if (!(moments.area > 0)) { return {0, origin + 0.5 * vertexOf(polygon, polygon.count - 1), 0}; }
+    if (!(moments.area > 0)) { return {0, origin + 0.5 * cornerAt(polygon, polygon.count - 1), 0}; }
     const DVec2 center = (1 / moments.area) * moments.first;
     const double perDensity = moments.second - moments.area * dot(center, center);
     const double weight = static_cast<double>(density);

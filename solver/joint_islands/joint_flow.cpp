@@ -15,9 +15,6 @@ using Inertia = JointFlow::Inertia;
 /// Of speeds in half a sub-step: what is damped more has stopped at the end of the step.
 constexpr double kLeastDecay = 0.75;
 
-DVec2 turned(double c, double s, DVec2 v) { return {c * v.x - s * v.y, s * v.x + c * v.y}; }
-DVec2 leftOf(DVec2 v) { return {-v.y, v.x}; }
-DVec2 linear(const Coordinates& v) { return {v.x, v.y}; }
 double dotOf(const Coordinates& a, const Coordinates& b) { return a.x * b.x + a.y * b.y + a.turn * b.turn; }
 
 /// Acceleration of a centre towards the end of an arm that turns so.
@@ -157,7 +154,7 @@ void JointFlow::turn(Node& node) {
 }
 
 DVec2 JointFlow::spanOf(const Node& node, const Node& parent) {
-    return node.offset + linear(node.place) - linear(parent.place);
+    return node.offset + node.place.linear() - parent.place.linear();
 }
 
 JointFlow::Arms JointFlow::armsOf(const Node& node, const Node& parent) {
@@ -168,7 +165,7 @@ JointFlow::Arms JointFlow::armsOf(const Node& node, const Node& parent) {
 
 /// Of the own anchor, seen from the parent's.
 DVec2 JointFlow::speedAt(const Arms& arms, const Node& node, const Node& parent) {
-    return linear(node.velocity) - linear(parent.velocity) + node.velocity.turn * leftOf(arms.own) -
+    return node.velocity.linear() - parent.velocity.linear() + node.velocity.turn * leftOf(arms.own) -
            parent.velocity.turn * leftOf(arms.ofParent);
 }
 

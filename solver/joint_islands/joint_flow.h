@@ -57,6 +57,8 @@ public:
         double y = 0;
         double turn = 0;
 
+        constexpr DVec2 linear() const { return {x, y}; }
+
         constexpr bool operator==(const Coordinates&) const = default;
         constexpr Coordinates& operator+=(const Coordinates& v) { return *this = *this + v; }
         constexpr Coordinates& operator-=(const Coordinates& v) { return *this = *this - v; }

@@ -2,8 +2,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -72,19 +70,16 @@ constexpr std::size_t kStagesOfBends[] = {0, 7, 8, 9, 10};
 /// the eighth power, or more.
 constexpr double kFineness = std::is_same_v<Real, float> ? 1 : 0.5;
 /// Radians that bodies turn, or begin to turn, in a piece, and of the oscillation of light links under tension.
-constexpr double kMostTurn = 0.5 * kFineness;
-constexpr double kMostPhase = 0.75 * kFineness;
+constexpr double kMostFlowTurn = 0.5 * kFineness;
+constexpr double kMostFlowPhase = 0.75 * kFineness;
 /// Beyond 3 the method is unstable; here it takes 1.5 % of the oscillation in each piece.
 constexpr double kStablePhase = 2;
 /// Radians by which a piece may bend so. What happens within it (a whip cracks) its start does not tell.
 constexpr double kMostBend = kFineness == 1 ? 1.0 / (1 << 13) : 1.0 / (1 << 19);
 /// Where twice the length does as well.
 constexpr double kSmallBend = kMostBend / 64;
-/// Gaps of this part of the arms are none; rounding may leave more.
-constexpr double kGapRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 42);
-constexpr double kLeftGapRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 34);
 /// Each takes away all but what bodies turn by meanwhile.
-constexpr int kMostRounds = 4;
+constexpr int kMostClosings = 4;
 
 using Coordinates = JointFlow::Coordinates;
 
@@ -98,18 +93,10 @@ void addParts(const std::array<Coordinates, kCount>& accelerations, Coordinates&
     }
 }
 
-DVec2 linear(const Coordinates& v) { return {v.x, v.y}; }
-
 Coordinates bendOf(const std::array<Coordinates, kCount>& accelerations) {
     Coordinates bend;
     for (std::size_t i = 0; i < 5; ++i) { bend += kBends[i] * accelerations[kStagesOfBends[i]]; }
     return bend;
-}
-
-/// The larger one; what is no number is as bad as can be.
-double worse(double a, double b) {
-    if (b <= a) { return a; }
-    return std::isnan(b) ? std::numeric_limits<double>::infinity() : b;
 }
 
 }  // namespace
@@ -135,13 +122,13 @@ double JointFlow::rate(double mostPhase) {
         const double spin = node.velocity.turn;
         if (node.isLever) { turn = std::max(turn, std::max(spin * spin, std::fabs(node.reached.turn))); }
         if (node.parent == kNone) { continue; }
-        const double force = norm(linear(pushOn(node)));
+        const double force = norm(pushOn(node).linear());
         tensions_[n] += force * node.ease;
         tensions_[node.parent] += force * node.easeOfParent;
     }
     double tension = 0;
     for (const double each : tensions_) { tension = std::max(tension, each); }
-    return std::sqrt(std::max(turn / (kMostTurn * kMostTurn), tension / (mostPhase * mostPhase)));
+    return std::sqrt(std::max(turn / (kMostFlowTurn * kMostFlowTurn), tension / (mostPhase * mostPhase)));
 }
 
 template <std::size_t kStage>
@@ -162,7 +149,7 @@ void JointFlow::addImpulses(double time) {
         Node& node = nodes_[n];
         if (node.parent == kNone) { continue; }
         const Coordinates whole = pushOn(node);
-        const DVec2 push = linear(whole);
+        const DVec2 push = whole.linear();
         node.given.impulse += time * push;
         node.given.twist += time * (whole.turn - cross(node.armOfJoint, push));
         const bool isSide = node.kind == IslandHold::Kind::side;
@@ -197,7 +184,7 @@ double JointFlow::bend(double time) const {
         // What swings on a rod, or slides, need not turn.
         if (node.parent == kNone || node.kind == IslandHold::Kind::point) { continue; }
         const Coordinates apart = own - bendOf(nodes_[node.parent].accelerations);
-        if (norm(linear(apart)) > 0) { worst = worse(worst, norm(linear(apart)) / node.size); }
+        if (norm(apart.linear()) > 0) { worst = worse(worst, norm(apart.linear()) / node.size); }
     }
     return worst * time * time;
 }
@@ -212,7 +199,7 @@ void JointFlow::accept(double time) {
 }
 
 bool JointFlow::advance(double duration, double most, Tremor tremor) {
-    const double mostPhase = tremor == Tremor::followed ? kMostPhase : kStablePhase;
+    const double mostPhase = tremor == Tremor::followed ? kMostFlowPhase : kStablePhase;
     double left = duration;
     double longest = duration;
     begin();
@@ -243,7 +230,7 @@ bool JointFlow::settle() {
     for (int round = 0;; ++round) {
         placeJoints();
         worst = closeGaps();
-        if (worst <= kGapRatio || round >= kMostRounds) { break; }
+        if (worst <= kNoGapRatio || round >= kMostClosings) { break; }
         for (Node& node : nodes_) { node.force = {}; }
         solve();
         for (std::size_t n = fixed_; n < nodes_.size(); ++n) {
@@ -272,7 +259,7 @@ double JointFlow::closeGaps() {
         const double bent = node.angleHold == kNone ? 0 : node.restAngle + (node.place.turn - parent.place.turn);
         const DVec2 arm = node.armOfJoint;
         node.bias = {-gap.x - bent * arm.y, -gap.y + bent * arm.x, -bent};
-        const double scale = node.size + norm(linear(node.place)) + norm(linear(parent.place));
+        const double scale = node.size + norm(node.place.linear()) + norm(parent.place.linear());
         if (norm(gap) > 0) { worst = worse(worst, norm(gap) / scale); }
         worst = worse(worst, std::fabs(bent) / (1 + std::fabs(node.place.turn) + std::fabs(parent.place.turn)));
     }
@@ -307,8 +294,8 @@ void JointFlow::agree() {
 void JointFlow::finish(std::span<IslandBody> bodies, std::span<IslandHold> holds) const {
     for (const Node& node : nodes_) {
         IslandBody& body = bodies[node.body];
-        body.place = {linear(node.place), node.place.turn, node.c, node.s};
-        body.velocity = linear(node.velocity);
+        body.place = {node.place.linear(), node.place.turn, node.c, node.s};
+        body.velocity = node.velocity.linear();
         body.spin = node.velocity.turn;
         if (node.parent == kNone || node.isFixed) { continue; }
         IslandHold& hold = holds[node.hold];

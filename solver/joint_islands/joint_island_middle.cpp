@@ -10,8 +10,7 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Gaps of this part of the arms, and momenta of this part of those that come and go, are none.
-constexpr double kGapRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 42);
+/// Momenta of this part of those that come and go are none.
 constexpr double kMomentumRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 44);
 /// What may be left where rounds take no more away: rounding, momenta where energy is lost anyway, and more where the
 /// next thing to do would be worse.
@@ -33,8 +32,6 @@ constexpr int kHoldRounds = 2;
 constexpr double kFewestStepsOfClosing = 4;
 constexpr double kMostStepsOfClosing = 64;
 
-DVec2 turned(double c, double s, DVec2 v) { return {c * v.x - s * v.y, s * v.x + c * v.y}; }
-DVec2 leftOf(DVec2 v) { return {-v.y, v.x}; }
 /// An arm such that it, turned by a right angle, times the turn, is by how much its end moves.
 DVec2 middleArm(const IslandBody& body, DVec2 arm) {
     return body.middle.chord * turned(body.middle.c, body.middle.s, arm);
@@ -79,12 +76,6 @@ double gapOf(const IslandHold& hold, const IslandBody& a, const IslandBody& b, D
 
 double speedOf(const Block3& row, const IslandBody& body) {
     return row[0] * body.velocity.x + row[1] * body.velocity.y + row[2] * body.spin;
-}
-
-/// The larger one; what is no number is as bad as can be.
-double worse(double a, double b) {
-    if (b <= a) { return a; }
-    return std::isnan(b) ? std::numeric_limits<double>::infinity() : b;
 }
 
 }  // namespace
@@ -284,8 +275,8 @@ bool JointIsland::subStepOfTree(double part, double h, ForceAt at, bool isLast) 
         // Momenta may be as much as their rounding more.
         const double gaps = findTreeGaps(time);
         const double momenta = findMomenta();
-        const double worst = std::max(gaps, kGapRatio / kMomentumRatio * momenta);
-        if (worst <= kGapRatio) { break; }
+        const double worst = std::max(gaps, kNoGapRatio / kMomentumRatio * momenta);
+        if (worst <= kNoGapRatio) { break; }
         if (round >= kMostRounds || (round >= kFewestRounds && !(worst <= 0.5 * before))) {
             const Left& left = isLast ? kLeftAtLast : at == ForceAt::middle ? kLeftByMiddle : kLeftByEnd;
             if (!(gaps <= left.gaps && momenta <= left.momenta)) { return false; }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "../../shapes/dvec2.h"
 #include "../body_state.h"
@@ -11,6 +12,22 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// A length without a root: of a vector, at most √2 times as large.
 inline double norm(DVec2 v) { return std::fabs(v.x) + std::fabs(v.y); }
+
+inline DVec2 leftOf(DVec2 v) { return {-v.y, v.x}; }
+
+/// @param c,s  of the angle
+inline DVec2 turned(double c, double s, DVec2 v) { return {c * v.x - s * v.y, s * v.x + c * v.y}; }
+
+/// The larger one; what is no number is as bad as can be.
+inline double worse(double a, double b) {
+    if (b <= a) { return a; }
+    return std::isnan(b) ? std::numeric_limits<double>::infinity() : b;
+}
+
+/// Gaps of this part of the arms are none.
+inline constexpr double kNoGapRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 42);
+/// Rounding may leave this part where masses are far apart.
+inline constexpr double kLeftGapRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 34);
 
 /// A body of an island, with its motion since the start of the step.
 struct IslandBody {
@@ -45,6 +62,12 @@ struct IslandBody {
     };
     Middle middle;
 };
+
+/// What of a row can be moved.
+inline Block3 movable(const Block3& row, const IslandBody& body) {
+    const double linear = body.inverseMass > 0 ? 1 : 0;
+    return {linear * row[0], linear * row[1], body.inverseInertia > 0 ? row[2] : 0};
+}
 
 /// Radians that a body turns by when its anchor is moved by a metre, at most; 0 where it cannot turn, or be moved.
 double easeOf(const IslandBody& body, DVec2 anchor);

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "../../shapes/trig.h"
 #include "../direct/direct_parts.h"
@@ -21,7 +20,6 @@ constexpr double kMostGapTurn = 1.0 / 16;
 DVec2 turned(const IslandBody::Place& place, DVec2 v) {
     return {place.c * v.x - place.s * v.y, place.s * v.x + place.c * v.y};
 }
-DVec2 leftOf(DVec2 v) { return {-v.y, v.x}; }
 
 double speedOf(const IslandHold::Row& row, const IslandBody& a, const IslandBody& b) {
     return (row.ofA[0] * a.velocity.x + row.ofA[1] * a.velocity.y + row.ofA[2] * a.spin) +
@@ -31,18 +29,6 @@ double speedOf(const IslandHold::Row& row, const IslandBody& a, const IslandBody
 void setRow(IslandHold::Row& row, DVec2 direction, DVec2 armA, DVec2 armB) {
     row.ofA = {-direction.x, -direction.y, -cross(armA, direction)};
     row.ofB = {direction.x, direction.y, cross(armB, direction)};
-}
-
-/// The larger one; what is no number is as bad as can be.
-double worse(double a, double b) {
-    if (b <= a) { return a; }
-    return std::isnan(b) ? std::numeric_limits<double>::infinity() : b;
-}
-
-/// What of a row the matrix can move.
-Block3 movable(const Block3& row, const IslandBody& body) {
-    const double linear = body.inverseMass > 0 ? 1 : 0;
-    return {linear * row[0], linear * row[1], body.inverseInertia > 0 ? row[2] : 0};
 }
 
 /// What is wrong with a hold where the bodies are, or will be.

@@ -9,11 +9,8 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Gaps of this part of the arms, and speeds of this part of those there are, are none.
-constexpr double kGapRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 42);
+/// Speeds of this part of those there are are none.
 constexpr double kSpeedRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 46);
-/// Rounding may leave this part where masses are far apart.
-constexpr double kLeftGapRatio = 1.0 / static_cast<double>(std::uint64_t{1} << 34);
 /// Rounds of Newton's method with one matrix: each takes away all but the part that the bodies turn by. Where a round
 /// does not take away half there is nothing to be found.
 constexpr int kMostPlaceRounds = 24;
@@ -66,7 +63,7 @@ bool JointIsland::reachPlaces(double time) {
     for (int round = 0; round < kMostPlaceRounds; ++round) {
         findPlaces(time);
         const double worst = findGaps(time);
-        if (worst <= kGapRatio) { return true; }
+        if (worst <= kNoGapRatio) { return true; }
         if (round >= kFewestPlaceRounds && !(worst <= 0.5 * before)) { return worst <= kLeftGapRatio; }
         before = worst;
         correct(true);

@@ -17,7 +17,7 @@ constexpr double kLeastInertia = 1.0 / 8;
 /// Of a row by its parent, where its body cannot be moved.
 constexpr double kLeastResponse = 1.0 / (1 << 10);
 /// Radians by which a round may change the turn of a sub-step: farther away rows are not what they are here.
-constexpr double kMostTurn = 1;
+constexpr double kMostTurnOfRound = 1;
 
 /// L·U of a block, in place, the diagonal of L being 1.
 void factoriseBlock(Block33& m) {
@@ -41,12 +41,6 @@ Block3 solveBlock(const Block33& m, Block3 v) {
 double dotOf(const Block3& a, const Block3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 void add(Block3& v, double factor, const Block3& a) {
     for (std::size_t i = 0; i < 3; ++i) { v[i] += factor * a[i]; }
-}
-
-/// What of a row can be moved.
-Block3 movable(const Block3& row, const IslandBody& body) {
-    const double linear = body.inverseMass > 0 ? 1 : 0;
-    return {linear * row[0], linear * row[1], body.inverseInertia > 0 ? row[2] : 0};
 }
 
 }  // namespace
@@ -216,7 +210,7 @@ void JointIsland::solveTree(double time) {
         change = solveBlock(inertias_[branch.body], change);
         if (body.inverseInertia > 0) { fastest = std::max(fastest, std::fabs(change[2])); }
     }
-    applyChanges(fastest * std::fabs(time) > kMostTurn ? kMostTurn / (fastest * std::fabs(time)) : 1);
+    applyChanges(fastest * std::fabs(time) > kMostTurnOfRound ? kMostTurnOfRound / (fastest * std::fabs(time)) : 1);
 }
 
 /// @param part  of a step of Newton's method that is taken

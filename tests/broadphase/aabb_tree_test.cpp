@@ -27,10 +27,10 @@ std::size_t expectSound(const AabbTree& tree, NodeIndex index, NodeIndex parent)
 
 void expectSound(const AabbTree& tree, std::size_t leafCount) {
     if (leafCount == 0) {
-        EXPECT_EQ(tree.root(), kNoNode);
+        EXPECT_EQ(tree.root(), kNoTreeNode);
         return;
     }
-    EXPECT_EQ(expectSound(tree, tree.root(), kNoNode), leafCount);
+    EXPECT_EQ(expectSound(tree, tree.root(), kNoTreeNode), leafCount);
     EXPECT_LE(int{tree.node(tree.root()).height}, kMaxTreeHeight);
     EXPECT_LE(tree.nodes().size(), 4 * leafCount + 1000) << "freed nodes are used again";
 }

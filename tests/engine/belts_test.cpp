@@ -17,7 +17,7 @@ World beltWorld(Profile profile, bool sleep = false) {
     return makeWorld(settings);
 }
 
-std::string nameOf(Profile profile, double speed) {
+std::string beltCase(Profile profile, double speed) {
     return (profile == Profile::fast ? "fast, " : "accurate, ") + std::to_string(speed) + " m/s: ";
 }
 
@@ -31,9 +31,9 @@ TEST(Belts, CarryABox) {
             runFor(world, 2);
             const double dragged = speed * speed / (2 * 0.5 * kGravity);
             const double way = std::abs(speed) * 2 - dragged;
-            expectAtMost(nameOf(profile, speed) + "speed", std::abs(velocityOf(world, body).x / speed - 1), 1e-4);
-            expectAtMost(nameOf(profile, speed) + "way", std::abs(std::abs(world.position(body).x) / way - 1), 5e-3);
-            expectAtMost(nameOf(profile, speed) + "height", std::abs(world.position(body).y - 0.5), 1e-3);
+            expectAtMost(beltCase(profile, speed) + "speed", std::abs(velocityOf(world, body).x / speed - 1), 1e-4);
+            expectAtMost(beltCase(profile, speed) + "way", std::abs(std::abs(world.position(body).x) / way - 1), 5e-3);
+            expectAtMost(beltCase(profile, speed) + "height", std::abs(world.position(body).y - 0.5), 1e-3);
         }
     }
 }
@@ -50,12 +50,12 @@ TEST(Belts, CarryATower) {
         }
         runFor(world, 0.5);
         for (const BodyId body : tower) {
-            expectAtMost(nameOf(profile, 4) + "dragged",
+            expectAtMost(beltCase(profile, 4) + "dragged",
                          std::abs(velocityOf(world, body).x / (0.3 * kGravity * 0.5) - 1), 0.02);
         }
         runFor(world, 2);
         for (const BodyId body : tower) {
-            expectAtMost(nameOf(profile, 4) + "carried", std::abs(velocityOf(world, body).x / 4 - 1), 1e-3);
+            expectAtMost(beltCase(profile, 4) + "carried", std::abs(velocityOf(world, body).x / 4 - 1), 1e-3);
         }
     }
 }
@@ -75,7 +75,7 @@ TEST(Belts, RunUpASlope) {
             const double speed = dot(velocityOf(world, body), turned({1, 0}, tilt));
             const double sliding = -kGravity * (std::sin(tilt) - friction * std::cos(tilt)) * 2;
             const double expected = holds ? 2 : sliding;
-            expectAtMost(nameOf(profile, 2) + (holds ? "up" : "down"), std::abs(speed / expected - 1), 3e-3);
+            expectAtMost(beltCase(profile, 2) + (holds ? "up" : "down"), std::abs(speed / expected - 1), 3e-3);
         }
     }
 }
@@ -87,8 +87,8 @@ TEST(Belts, SetADiskTurning) {
         addStatic(world, box(50, 1), belt(3), {0, -1});
         const BodyId disk = addBody(world, dynamicAt({0, 0.5}), circle(0.5), material(0.5));
         runFor(world, 2);
-        expectAtMost(nameOf(profile, 3) + "speed", std::abs(velocityOf(world, disk).x / 1 - 1), 5e-3);
-        expectAtMost(nameOf(profile, 3) + "turn", std::abs(spinOf(world, disk) * 0.5 / 2 - 1), 5e-3);
+        expectAtMost(beltCase(profile, 3) + "speed", std::abs(velocityOf(world, disk).x / 1 - 1), 5e-3);
+        expectAtMost(beltCase(profile, 3) + "turn", std::abs(spinOf(world, disk) * 0.5 / 2 - 1), 5e-3);
     }
 }
 
@@ -104,7 +104,7 @@ TEST(Belts, DriveTheirOwnBody) {
                 const BodyId tracked = addBody(world, dynamicAt({0, 0.5}), box(1, 0.5), belt(2));
                 runFor(world, 2);
                 const double speed = 2 + ground + platform;
-                expectAtMost(nameOf(profile, speed) + "speed", std::abs(velocityOf(world, tracked).x / speed - 1),
+                expectAtMost(beltCase(profile, speed) + "speed", std::abs(velocityOf(world, tracked).x / speed - 1),
                              1e-3);
             }
         }
@@ -124,7 +124,7 @@ TEST(Belts, DriveOnWhatCanMove) {
             const double slip = velocityOf(world, tank).x - velocityOf(world, cart).x;
             const double momentum =
                 world.mass(tank) * velocityOf(world, tank).x + world.mass(cart) * velocityOf(world, cart).x;
-            const std::string name = nameOf(profile, 1) + (isIce ? "ice, " : "rough, ");
+            const std::string name = beltCase(profile, 1) + (isIce ? "ice, " : "rough, ");
             expectAtMost(name + "speed", std::abs(slip - 1), 1e-3);
             if (isIce) {
                 // The ice pushes along the face that touches, the cart's or its own; the cart leans by a trace.
@@ -174,8 +174,8 @@ TEST(Belts, ThrowWhatHitsThem) {
             const BodyId shot = addBody(world, def, circle(0.05), material(0.2, 1));
             run(world, 1);
             const double expected = std::min(speed, 0.2 * (300 + 300));
-            expectAtMost(nameOf(profile, speed) + "along", std::abs(velocityOf(world, shot).x / expected - 1), 1e-4);
-            expectAtMost(nameOf(profile, speed) + "back", std::abs(velocityOf(world, shot).y / 300 - 1), 1e-4);
+            expectAtMost(beltCase(profile, speed) + "along", std::abs(velocityOf(world, shot).x / expected - 1), 1e-4);
+            expectAtMost(beltCase(profile, speed) + "back", std::abs(velocityOf(world, shot).y / 300 - 1), 1e-4);
         }
     }
 }
@@ -208,13 +208,13 @@ TEST(Belts, SlipUnderWhatIsHeld) {
         const BodyId body = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5), material(0.5));
         runFor(world, 10);
         EXPECT_TRUE(world.isAwake(body)) << "what a belt drags at stays awake";
-        expectAtMost(nameOf(profile, 2) + "moved", length(world.position(body) - DVec2{0, 0.5}), 2e-3);
+        expectAtMost(beltCase(profile, 2) + "moved", length(world.position(body) - DVec2{0, 0.5}), 2e-3);
         double pushed = 0;
         world.visitContacts(body, [&](const ContactView& contact) {
             if (std::abs(contact.normal.x) > 0.5) { pushed += static_cast<double>(contact.impulse); }
         });
         const double dragged = 0.5 * world.mass(body) * kGravity * kStep;
-        expectAtMost(nameOf(profile, 2) + "wall", std::abs(pushed / dragged - 1), 0.02);
+        expectAtMost(beltCase(profile, 2) + "wall", std::abs(pushed / dragged - 1), 0.02);
     }
 }
 
@@ -231,12 +231,12 @@ TEST(Belts, StartAndStop) {
             must(world.redefine(shape, belt(0)));
             runFor(world, 3);
             EXPECT_EQ(world.isAwake(body), !sleeps);
-            expectAtMost(nameOf(profile, 0) + "speed", length(velocityOf(world, body)), 0);
+            expectAtMost(beltCase(profile, 0) + "speed", length(velocityOf(world, body)), 0);
             must(world.redefine(shape, belt(-1)));
             EXPECT_TRUE(world.isAwake(body)) << "a belt that starts wakes what lies on it";
             EXPECT_EQ(world.definition(shape).surfaceSpeed, Real(-1));
             runFor(world, 1);
-            expectAtMost(nameOf(profile, -1) + "speed", std::abs(velocityOf(world, body).x / -1 - 1), 1e-3);
+            expectAtMost(beltCase(profile, -1) + "speed", std::abs(velocityOf(world, body).x / -1 - 1), 1e-3);
         }
     }
 }
@@ -256,12 +256,12 @@ TEST(Belts, OfOneSegmentStartAndStop) {
             must(world.setSurface(chain, 0, surfaceOf(belt(2))));
             EXPECT_TRUE(world.isAwake(body)) << "a belt that starts wakes what lies on it";
             runFor(world, 1);
-            expectAtMost(nameOf(profile, 2) + "speed", std::abs(velocityOf(world, body).x / 2 - 1), 1e-3);
-            EXPECT_EQ(world.position(other), lay) << nameOf(profile, 2);
+            expectAtMost(beltCase(profile, 2) + "speed", std::abs(velocityOf(world, body).x / 2 - 1), 1e-3);
+            EXPECT_EQ(world.position(other), lay) << beltCase(profile, 2);
             must(world.setSurface(chain, 0, surfaceOf(belt(0))));
             runFor(world, 3);
             EXPECT_EQ(world.isAwake(body), !sleeps);
-            expectAtMost(nameOf(profile, 0) + "speed", length(velocityOf(world, body)), 0);
+            expectAtMost(beltCase(profile, 0) + "speed", length(velocityOf(world, body)), 0);
         }
     }
 }
@@ -273,7 +273,7 @@ TEST(Belts, RunSlowly) {
         addStatic(world, box(50, 1), belt(1e-3), {0, -1});
         const BodyId body = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.5), material(0.5));
         runFor(world, 20);
-        expectAtMost(nameOf(profile, 1e-3) + "way", std::abs(world.position(body).x / 0.02 - 1), 0.02);
+        expectAtMost(beltCase(profile, 1e-3) + "way", std::abs(world.position(body).x / 0.02 - 1), 0.02);
     }
 }
 

@@ -8,7 +8,7 @@
 namespace swept::test {
 namespace {
 
-constexpr double kRadius = 0.1;
+constexpr double kBallRadius = 0.1;
 
 struct Drop {
     World world = makeWorld();
@@ -16,12 +16,12 @@ struct Drop {
 
     Drop(double height, double restitution) {
         addStatic(world, segment(-10, 0, 10, 0), material(0, restitution));
-        ball = addBody(world, dynamicAt({0, kRadius + height}), circle(kRadius), material(0, restitution));
+        ball = addBody(world, dynamicAt({0, kBallRadius + height}), circle(kBallRadius), material(0, restitution));
     }
     /// Height of the apex of the present flight above the floor's contact level.
     double apex() const {
         const double vy = velocityOf(world, ball).y;
-        return world.position(ball).y - kRadius + 0.5 * vy * vy / kGravity;
+        return world.position(ball).y - kBallRadius + 0.5 * vy * vy / kGravity;
     }
     /// Heights of the flights after bounces 1 … count.
     std::vector<double> apexes(int count) {
@@ -67,13 +67,13 @@ TEST(Bounce, ElasticBallKeepsItsTime) {
             must(drop.world.step(kStep));
             EXPECT_TRUE(drop.world.lostTime().empty());
             const double t = std::remainder(i * kStep, 2 * fall);  // since the last apex
-            const double y = kRadius + height - 0.5 * kGravity * t * t;
+            const double y = kBallRadius + height - 0.5 * kGravity * t * t;
             worst = std::max(worst, std::abs(drop.world.position(drop.ball).y - y));
         }
         // The ball turns at its target, a few hundred-thousandths of its diameter above the floor: that far early, once
         // a bounce, at full speed.
         const double bounces = 10 / (2 * fall);
-        expectAtMost("height from " + std::to_string(height) + " m", worst, 3 * bounces * 2 * kRadius / 8192);
+        expectAtMost("height from " + std::to_string(height) + " m", worst, 3 * bounces * 2 * kBallRadius / 8192);
     }
 }
 
@@ -197,7 +197,7 @@ struct PingPong {
         world = makeWorld(settings);
         addStatic(world, segment(-5, -1, -5, 1), material(0, 1));
         addStatic(world, segment(5, -1, 5, 1), material(0, 1));
-        ball = addBody(world, dynamicAt({0.37, 0}, vec(speed, 0)), circle(kRadius), material(0, 1));
+        ball = addBody(world, dynamicAt({0.37, 0}, vec(speed, 0)), circle(kBallRadius), material(0, 1));
     }
     void step(LostTimeReason expected = LostTimeReason::stop) {
         double x = world.position(ball).x;
@@ -212,7 +212,7 @@ struct PingPong {
             x = pose.position.x;
         }
         way += std::abs(world.position(ball).x - x);
-        overlap = std::max(overlap, std::abs(world.position(ball).x) + kRadius - 5);
+        overlap = std::max(overlap, std::abs(world.position(ball).x) + kBallRadius - 5);
     }
 };
 
@@ -221,7 +221,7 @@ TEST(Bounce, BallBetweenWallsHitsOnTime) {
         PingPong scene(speed, ContinuousMode::subStep);
         for (int i = 0; i < 600; ++i) { scene.step(); }
         const std::string name = std::to_string(speed) + " m/s: ";
-        const double expected = std::floor((10 * speed - (5 - kRadius - 0.37)) / (10 - 2 * kRadius)) + 1;
+        const double expected = std::floor((10 * speed - (5 - kBallRadius - 0.37)) / (10 - 2 * kBallRadius)) + 1;
         expectAtMost(name + "hits", std::abs(scene.hits - expected), 0.005 * expected);
         expectAtMost(name + "lost time", scene.lost, 0);
         expectAtMost(name + "way", std::abs(scene.way / (10 * speed) - 1), 1e-6);
@@ -243,11 +243,11 @@ TEST(Bounce, StopEntersTheLostTime) {
 }
 
 /// Four hundred balls that jostle each other in a box, without gravity, in profile `fast`.
-struct Crowd {
+struct Bouncers {
     World world;
     std::vector<BodyId> balls;
 
-    explicit Crowd(double restitution) {
+    explicit Bouncers(double restitution) {
         WorldSettings settings = awakeSettings(Profile::fast, 0);
         world = makeWorld(settings);
         constexpr int kSide = 20;
@@ -273,7 +273,7 @@ struct Crowd {
 TEST(Bounce, CrowdsBounceInTurn) {
     std::array<double, 2> kept{};
     for (const bool isElastic : {false, true}) {
-        Crowd crowd(isElastic ? 1 : 0);
+        Bouncers crowd(isElastic ? 1 : 0);
         const double start = crowd.energy();
         double least = start;
         double largestGain = 0;

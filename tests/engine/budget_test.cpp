@@ -32,9 +32,9 @@ struct Scale {
 /// A pyramid stands for four seconds on a lift that goes up: it never rests, so that fixed sub-steps cost what they
 /// cost all the time. Fifty times the weight of a box falls on it in the second one, and is taken away half a second
 /// later.
-class Pyramid {
+class PyramidInBudget {
 public:
-    explicit Pyramid(WorldSettings settings, Scale scale = {}) : scale_(scale) {
+    explicit PyramidInBudget(WorldSettings settings, Scale scale = {}) : scale_(scale) {
         settings.gravity = vec(0, -kGravity * scale.length / (scale.time * scale.time));
         settings.maxPenetration *= real(scale.length);
         world_ = makeWorld(settings);
@@ -122,30 +122,30 @@ void expectCheaperThanFixed(double budget, const Outcome& chosen, const Play& pl
 TEST(Budget, ABlowKeepsThePenetrationOfTheWorstCaseAtAFractionOfItsCost) {
     for (const double budget : {1e-3, 2e-3, 3e-3}) {
         SCOPED_TRACE(budget);
-        expectCheaperThanFixed(budget, Pyramid(withPenetration(budget)).play(),
-                               [](int subSteps) { return Pyramid(withSubSteps(subSteps)).play(); });
+        expectCheaperThanFixed(budget, PyramidInBudget(withPenetration(budget)).play(),
+                               [](int subSteps) { return PyramidInBudget(withSubSteps(subSteps)).play(); });
     }
 }
 
 TEST(Budget, FarInsideItCostsLessThanNone) {
-    const Outcome usual = Pyramid(awakeSettings()).play();
+    const Outcome usual = PyramidInBudget(awakeSettings()).play();
     const double budget = 0.0125;
-    const Outcome chosen = Pyramid(withPenetration(budget)).play();
+    const Outcome chosen = PyramidInBudget(withPenetration(budget)).play();
     expectAtMost("penetration", chosen.worst, budget);
     expectAtMost("cost beside the profile's", costBeside(chosen, usual), 0.5);
 }
 
 TEST(Budget, OneThatCannotBeKeptIsReported) {
-    const Outcome chosen = Pyramid(withPenetration(2e-4)).play();
+    const Outcome chosen = PyramidInBudget(withPenetration(2e-4)).play();
     EXPECT_GT(chosen.worst, 2e-4);
     EXPECT_GT(chosen.sums.overPenetration, 0U);
     EXPECT_EQ(chosen.mostSubSteps, 64U) << "no more than the cap";
 }
 
 TEST(Budget, DecidesTheSameInALargerAndSlowerWorld) {
-    const Outcome one = Pyramid(withPenetration(1e-3)).play();
+    const Outcome one = PyramidInBudget(withPenetration(1e-3)).play();
     for (const Scale scale : {Scale{8, 1}, Scale{1.0 / 32, 0.5}, Scale{2, 4}}) {
-        const Outcome other = Pyramid(withPenetration(1e-3), scale).play();
+        const Outcome other = PyramidInBudget(withPenetration(1e-3), scale).play();
         EXPECT_EQ(one.sums.bodySubSteps, other.sums.bodySubSteps) << scale.length;
         EXPECT_EQ(one.worst, other.worst) << scale.length;
         EXPECT_EQ(one.numbers, other.numbers) << scale.length;
@@ -211,16 +211,17 @@ TEST(Budget, WhatNoBudgetBoundsGetsNoWorse) {
     EXPECT_EQ(playRope(settings).sums.bodySubSteps, playRope(awakeSettings()).sums.bodySubSteps);
     settings = withPenetration(std::numeric_limits<double>::infinity());
     settings.maxJointError = 1;  // the pyramid's contacts have none
-    EXPECT_EQ(Pyramid(settings).play().sums.bodySubSteps, Pyramid(awakeSettings()).play().sums.bodySubSteps);
+    EXPECT_EQ(PyramidInBudget(settings).play().sums.bodySubSteps,
+              PyramidInBudget(awakeSettings()).play().sums.bodySubSteps);
 }
 
 /// A ball between two walls two decimetres wider than it, without losses of energy.
-struct Rattle {
+struct RattleInBudget {
     double lost = 0;
     std::uint64_t over = 0;
 
     /// @param speed  m/s
-    Rattle(double speed, double maxLostTime) {
+    RattleInBudget(double speed, double maxLostTime) {
         WorldSettings settings = awakeSettings(0);
         settings.maxImpacts = 2;
         settings.maxLostTime = maxLostTime;
@@ -237,17 +238,17 @@ struct Rattle {
 
 TEST(Budget, LostTimeBuysMoreImpacts) {
     const double none = std::numeric_limits<double>::infinity();
-    const Rattle usual(30, none);
+    const RattleInBudget usual(30, none);
     EXPECT_GT(usual.lost, 0.1) << "five ways a step, and two impacts";
     EXPECT_EQ(usual.over, 0U) << "no budget, nothing to miss";
-    const Rattle kept(30, 0);
+    const RattleInBudget kept(30, 0);
     EXPECT_EQ(kept.lost, 0);
     EXPECT_EQ(kept.over, 0U);
-    const Rattle some(30, 0.05);
+    const RattleInBudget some(30, 0.05);
     EXPECT_GT(some.lost, 0);
     EXPECT_LE(some.lost, 0.05);
     EXPECT_EQ(some.over, 0U);
-    const Rattle hopeless(600, 0);
+    const RattleInBudget hopeless(600, 0);
     EXPECT_GT(hopeless.lost, 0);
     EXPECT_EQ(hopeless.over, 30U) << "a hundred ways a step, and 32 impacts";
 }

@@ -127,7 +127,7 @@ bool isThrough(const Curve& curve, DVec2 way) {
     return true;
 }
 
-std::string nameOf(Profile profile, const Curve& curve, Thing thing, double speed, double angle, double offset) {
+std::string crossingCase(Profile profile, const Curve& curve, Thing thing, double speed, double angle, double offset) {
     return profileName(profile) + ", " + curve.name + ", thing " + std::to_string(static_cast<int>(thing)) + ", " +
            std::to_string(speed) + " m/s, angle " + std::to_string(angle) + ", offset " + std::to_string(offset);
 }
@@ -144,7 +144,7 @@ TEST_P(ChainCrossing, OfWhatComesFromBehindTakesNothingFromIt) {
                     for (const double offset : {0.0, 0.037, 0.171, 0.31}) {
                         Shot shot(profile, *curve, thing, speed, angle, true, 2.5 + offset);
                         if (!isThrough(*curve, shot.way)) { continue; }
-                        const std::string name = nameOf(profile, *curve, thing, speed, angle, offset);
+                        const std::string name = crossingCase(profile, *curve, thing, speed, angle, offset);
                         double lost = 0;
                         for (int i = 0; i < 120 && shot.nearest() < 1.4; ++i) {
                             must(shot.world.step(kStep));
@@ -207,7 +207,7 @@ TEST_P(ChainCrossing, FromTheFrontThereIsNone) {
                                 const DVec2 center = shot.world.centerOfMass(body);
                                 if (std::fabs(center.x) > 9) { continue; }  // round its end
                                 ASSERT_GT(center.y, curve->height(center.x))
-                                    << nameOf(profile, *curve, thing, speed, angle, offset) << ", step " << i;
+                                    << crossingCase(profile, *curve, thing, speed, angle, offset) << ", step " << i;
                             }
                         }
                     }

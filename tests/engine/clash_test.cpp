@@ -10,7 +10,7 @@
 namespace swept::test {
 namespace {
 
-constexpr double kRadius = 0.2;
+constexpr double kClashRadius = 0.2;
 
 /// Two equal disks that meet within the first step, by the closed form.
 struct Disks {
@@ -23,8 +23,8 @@ struct Disks {
         const double speed = random.range(20, 100);
         const DVec2 along{std::cos(aim), std::sin(aim)};
         const double gap = random.range(0.005, 0.08);
-        const double aside = random.range(-0.9, 0.9) * 2 * kRadius;
-        const double ahead = std::sqrt((2 * kRadius + gap) * (2 * kRadius + gap) - aside * aside);
+        const double aside = random.range(-0.9, 0.9) * 2 * kClashRadius;
+        const double ahead = std::sqrt((2 * kClashRadius + gap) * (2 * kClashRadius + gap) - aside * aside);
         place[1] = ahead * along + aside * DVec2{-along.y, along.x};
         velocity[1] = {random.range(-5, 5), random.range(-5, 5)};
         velocity[0] = velocity[1] + speed * along;
@@ -36,7 +36,7 @@ struct Disks {
         const DVec2 d = place[1] - place[0];
         const DVec2 v = velocity[1] - velocity[0];
         const double b = dot(d, v);
-        return (-b - std::sqrt(b * b - dot(v, v) * (dot(d, d) - 4 * kRadius * kRadius))) / dot(v, v);
+        return (-b - std::sqrt(b * b - dot(v, v) * (dot(d, d) - 4 * kClashRadius * kClashRadius))) / dot(v, v);
     }
 
     /// State a step later.
@@ -67,7 +67,7 @@ TEST(Clash, DisksBounceAtTheirTime) {
         World world = makeWorld();
         std::array<BodyId, 2> bodies{};
         for (std::size_t k = 0; k < 2; ++k) {
-            bodies[k] = addBody(world, dynamicAt(disks.place[k], toReal(disks.velocity[k])), circle(kRadius),
+            bodies[k] = addBody(world, dynamicAt(disks.place[k], toReal(disks.velocity[k])), circle(kClashRadius),
                                 material(0, disks.restitution));
         }
         must(world.step(kStep));
@@ -98,7 +98,7 @@ struct Pair {
 
     /// Side by side, a gap of one to five centimetres between them, on their way to each other, turning.
     Pair(Random& random, double friction, double restitution) {
-        const std::array<Polygon, 4> kinds{circle(kRadius), box(0.2, 0.2), box(0.5, 0.05), capsule(0.2, 0.1)};
+        const std::array<Polygon, 4> kinds{circle(kClashRadius), box(0.2, 0.2), box(0.5, 0.05), capsule(0.2, 0.1)};
         for (Polygon& shape : shapes) { shape = kinds[static_cast<std::size_t>(random.integer(0, 3))]; }
         const double speed = random.range(20, 100);
         const double gap = random.range(0.01, 0.05);

@@ -5,7 +5,7 @@
 namespace swept::test {
 namespace {
 
-constexpr double kRadius = 0.5;
+constexpr double kDiscRadius = 0.5;
 
 struct Balls {
     World world;
@@ -13,7 +13,8 @@ struct Balls {
 
     explicit Balls(double gravity = 0) : world(makeWorld(gravity)) {}
     BodyId add(DVec2 position, DVec2 velocity, double density = 1) {
-        all.push_back(addBody(world, dynamicAt(position, toReal(velocity)), circle(kRadius), material(0, 1, density)));
+        all.push_back(
+            addBody(world, dynamicAt(position, toReal(velocity)), circle(kDiscRadius), material(0, 1, density)));
         return all.back();
     }
 };
@@ -98,7 +99,7 @@ double cradleRatio(double gap) {
     Balls balls(kGravity);
     const BodyId ceiling = must(balls.world.createBody(bodyAt(BodyType::fixed, {})));
     for (int i = 0; i < 5; ++i) {
-        const DVec2 pivot{i * (2 * kRadius + gap), rod};
+        const DVec2 pivot{i * (2 * kDiscRadius + gap), rod};
         const double turn = i == 0 ? -kPi / 4 : 0;
         DistanceJointDef joint;
         joint.base.bodyA = ceiling;

@@ -13,19 +13,19 @@
 namespace swept::test {
 namespace {
 
-constexpr double kHalfWidth = 2;
-constexpr double kRadius = 0.1;
+constexpr double kGroundHalf = 2;
+constexpr double kWheelRadius = 0.1;
 /// y = steepness · x² / half width, half as wide again.
 struct Bowl {
     double steepness = 0;
     int segments = 0;
     double friction = 0;
 
-    double at(double x) const { return steepness * x * x / kHalfWidth; }
+    double at(double x) const { return steepness * x * x / kGroundHalf; }
     void addTo(World& world) const {
         std::vector<Vec2> points;
         for (int i = segments; i >= 0; --i) {
-            const double x = 1.5 * kHalfWidth * (2.0 * i / segments - 1);
+            const double x = 1.5 * kGroundHalf * (2.0 * i / segments - 1);
             points.push_back(vec(x, at(x)));
         }
         const BodyId ground = must(world.createBody({}));
@@ -42,20 +42,20 @@ struct Swings {
     Swings(Profile profile, const Bowl& bowl, const Polygon& shape, double seconds, double hertz = 60) {
         World world = makeWorld(profile);
         bowl.addTo(world);
-        const double x = -0.8 * kHalfWidth;
-        const double slope = 2 * bowl.steepness * x / kHalfWidth;
+        const double x = -0.8 * kGroundHalf;
+        const double slope = 2 * bowl.steepness * x / kGroundHalf;
         const double scale = std::hypot(1, slope);
         const BodyDef def{.type = BodyType::dynamic,
-                          .position = {x - slope / scale * kRadius, bowl.at(x) + kRadius / scale},
+                          .position = {x - slope / scale * kWheelRadius, bowl.at(x) + kWheelRadius / scale},
                           .angle = std::atan(slope)};
         const BodyId body = addBody(world, def, shape, material(bowl.friction));
-        const double start = world.position(body).y - kRadius;
+        const double start = world.position(body).y - kWheelRadius;
         double before = 0;
         for (int i = 0; i < seconds * hertz; ++i) {
             must(world.step(1 / hertz));
             const double now = velocityOf(world, body).x;
             if (before * now < 0) {
-                last = (world.position(body).y - kRadius) / start;
+                last = (world.position(body).y - kWheelRadius) / start;
                 highest = std::max(highest, last);
                 ++count;
             }
@@ -89,7 +89,7 @@ TEST(CurvedGround, NeverLiftsABall) {
                 const std::string name = profileName(profile) + ", steepness " + std::to_string(bowl.steepness) + ", " +
                                          std::to_string(bowl.segments) + " segments, friction " +
                                          std::to_string(friction) + ", " + std::to_string(c.hertz) + " Hz: ";
-                expectNoGain(name, Swings(profile, bowl, circle(kRadius), 20, c.hertz), c.least);
+                expectNoGain(name, Swings(profile, bowl, circle(kWheelRadius), 20, c.hertz), c.least);
             }
         }
     }
@@ -101,7 +101,7 @@ TEST(CurvedGround, NeverLiftsABox) {
         for (const double steepness : {0.15, 0.5}) {
             const std::string name = profileName(profile) + ", steepness " + std::to_string(steepness) + ": ";
             const Bowl bowl{.steepness = steepness, .segments = 400};
-            expectNoGain(name + "box, ", Swings(profile, bowl, box(kRadius, kRadius), 20), 0.5);
+            expectNoGain(name + "box, ", Swings(profile, bowl, box(kWheelRadius, kWheelRadius), 20), 0.5);
         }
     }
 }
@@ -137,11 +137,11 @@ PipeResult ridePipe(Profile profile, const PipeRide& ride) {
         points.push_back(vec(std::cos(angle), std::sin(angle)));
     }
     must(world.addChain(must(world.createBody({})), points, true, material(ride.friction)));
-    const DVec2 start = ride.speed > 0 ? DVec2{0, -1 + kRadius} : DVec2{1 - kRadius, 0};
-    const BodyId ball = addBody(world, dynamicAt(start, vec(ride.speed, 0), ride.spin), circle(kRadius),
+    const DVec2 start = ride.speed > 0 ? DVec2{0, -1 + kWheelRadius} : DVec2{1 - kWheelRadius, 0};
+    const BodyId ball = addBody(world, dynamicAt(start, vec(ride.speed, 0), ride.spin), circle(kWheelRadius),
                                 material(ride.friction, ride.restitution));
     const auto energy = [&] {
-        const double height = world.position(ball).y + 1 - kRadius;
+        const double height = world.position(ball).y + 1 - kWheelRadius;
         return kineticEnergy(world, ball) + static_cast<double>(world.mass(ball)) * ride.gravity * height;
     };
     const double before = energy();
@@ -150,7 +150,7 @@ PipeResult ridePipe(Profile profile, const PipeRide& ride) {
         must(world.step(kStep));
         result.left = energy() / before;
         result.most = std::max(result.most, result.left);
-        result.deepest = std::max(result.deepest, length(world.position(ball)) + kRadius - 1);
+        result.deepest = std::max(result.deepest, length(world.position(ball)) + kWheelRadius - 1);
     }
     return result;
 }
@@ -159,7 +159,8 @@ TEST(CurvedGround, OfAPipeMakesNoEnergy) {
     for (const Profile profile : kProfiles) {
         for (const double friction : {0.0, 0.6}) {
             for (const double speed : {0.0, 7.0}) {
-                const PipeRide ride{.speed = speed, .friction = friction, .spin = friction > 0 ? speed / kRadius : 0};
+                const PipeRide ride{
+                    .speed = speed, .friction = friction, .spin = friction > 0 ? speed / kWheelRadius : 0};
                 const PipeResult result = ridePipe(profile, ride);
                 expectAtMost(ride.name(profile) + "most", result.most, 1.01);
                 EXPECT_GE(result.left, friction > 0 ? 0.1 : 0.6) << ride.name(profile);
@@ -186,7 +187,8 @@ TEST(CurvedGround, TakesTheSpeedOfAFall) {
         std::vector<Vec2> points;
         for (int i = 0; i <= 400; ++i) { points.push_back(vec(20 - 0.1 * i, 0)); }
         must(world.addChain(must(world.createBody({})), points, false, material(0)));
-        const BodyId ball = addBody(world, dynamicAt({-19, kRadius}, vec(10, 0)), circle(kRadius), material(0));
+        const BodyId ball =
+            addBody(world, dynamicAt({-19, kWheelRadius}, vec(10, 0)), circle(kWheelRadius), material(0));
         for (int hop = 0; hop < 4; ++hop) {
             runFor(world, 0.3);
             must(world.setVelocity(ball, vec(10, 1), 0));
@@ -241,7 +243,7 @@ TEST(CurvedGround, OfAPipeTakesNoEnergyOfWhatGoesRound) {
     const double fast = 15;
     const PipeRide rides[] = {{.speed = 7},
                               {.speed = fast},
-                              {.speed = fast, .friction = 0.3, .spin = -fast / kRadius},
+                              {.speed = fast, .friction = 0.3, .spin = -fast / kWheelRadius},
                               {.speed = fast, .pieces = 32},
                               {.speed = fast, .pieces = 512},
                               {.speed = 4, .gravity = 0},
@@ -251,7 +253,7 @@ TEST(CurvedGround, OfAPipeTakesNoEnergyOfWhatGoesRound) {
             const PipeResult result = ridePipe(profile, ride);
             EXPECT_GE(result.left, 0.97) << ride.name(profile);
             expectAtMost(ride.name(profile) + "most", result.most, 1.0005);
-            expectAtMost(ride.name(profile) + "deepest", result.deepest, 0.003 * kRadius);
+            expectAtMost(ride.name(profile) + "deepest", result.deepest, 0.003 * kWheelRadius);
         }
     }
 }
@@ -265,13 +267,13 @@ struct Convoy {
 
     Convoy(Profile profile, const Bowl& bowl, Riders riders) : world(makeWorld(profile)) {
         bowl.addTo(world);
-        const double spacing = riders == Riders::row ? 2 * kRadius : 6 * kRadius;
+        const double spacing = riders == Riders::row ? 2 * kWheelRadius : 6 * kWheelRadius;
         const DVec2 rear = wheelPlace(bowl, -1.6);
         double x = -1.6 + spacing / 2;
         for (int i = 0; i < 40; ++i) { x += spacing - length(wheelPlace(bowl, x) - rear); }
         const DVec2 front = wheelPlace(bowl, x);
         for (const DVec2 place : {rear, front}) {
-            bodies.push_back(addBody(world, dynamicAt(place), circle(kRadius), material(bowl.friction)));
+            bodies.push_back(addBody(world, dynamicAt(place), circle(kWheelRadius), material(bowl.friction)));
         }
         if (riders == Riders::rod) {
             const JointDef ends{.bodyA = bodies[0], .bodyB = bodies[1]};
@@ -281,8 +283,8 @@ struct Convoy {
     }
 
     static DVec2 wheelPlace(const Bowl& bowl, double x) {
-        const double slope = 2 * bowl.steepness * x / kHalfWidth;
-        const double scale = kRadius / std::hypot(1, slope);
+        const double slope = 2 * bowl.steepness * x / kGroundHalf;
+        const double scale = kWheelRadius / std::hypot(1, slope);
         return {x - slope * scale, bowl.at(x) + scale};
     }
     void addChassis(DVec2 rear, DVec2 front, double friction) {
@@ -315,7 +317,7 @@ struct Convoy {
 /// Most that they have in energy in 30 s, above the lowest place, as a part of what they had.
 double mostOfConvoy(Profile profile, const Bowl& bowl, Riders riders) {
     Convoy convoy(profile, bowl, riders);
-    const double lowest = convoy.mass() * kGravity * kRadius;
+    const double lowest = convoy.mass() * kGravity * kWheelRadius;
     const double before = convoy.energy() - lowest;
     double most = 0;
     for (int i = 0; i < 1800; ++i) {

@@ -16,7 +16,7 @@ namespace {
 constexpr double kHalfWidth = 9.5;  ///< of the room, inside
 constexpr double kHeight = 20;
 
-BodyId addRoom(World& world) {
+BodyId addWideRoom(World& world) {
     const BodyId room = must(world.createBody({}));
     const auto wall = [&](Vec2 half, Vec2 center) { must(world.addShape(room, must(makeBox(half, center)))); };
     wall(vec(20, 0.5), vec(0, -0.5));
@@ -32,7 +32,7 @@ bool isInRoom(const World& world, BodyId body) {
 }
 
 enum class Tie : std::uint8_t { hinge, rod, weld, rope, wheel, slider };
-constexpr Tie kTies[] = {Tie::hinge, Tie::rod, Tie::weld, Tie::rope, Tie::wheel, Tie::slider};
+constexpr Tie kWaysToTie[] = {Tie::hinge, Tie::rod, Tie::weld, Tie::rope, Tie::wheel, Tie::slider};
 const char* nameOf(Tie tie) {
     switch (tie) {
         case Tie::hinge:
@@ -86,7 +86,7 @@ struct Fastest {
     bool allInside = true;
 };
 
-Fastest watch(World& world, const std::vector<BodyId>& bodies, int steps) {
+Fastest fastestOf(World& world, const std::vector<BodyId>& bodies, int steps) {
     Fastest fastest;
     for (int i = 0; i < steps; ++i) {
         must(world.step(kStep));
@@ -107,12 +107,12 @@ Fastest watch(World& world, const std::vector<BodyId>& bodies, int steps) {
 TEST(Dragged, TrailersStayAtTheWallThatStopsThem) {
     constexpr double kSpeed = 5;
     for (const Profile profile : kProfiles) {
-        for (const Tie kind : kTies) {
+        for (const Tie kind : kWaysToTie) {
             for (const int cars : {1, 2}) {
                 const std::string name =
                     profileName(profile) + ", " + nameOf(kind) + ", " + std::to_string(cars) + " car(s)";
                 World world = makeWorld(profile);
-                addRoom(world);
+                addWideRoom(world);
                 BodyDef def = bodyAt(BodyType::kinematic, {0, 1});
                 def.velocity = vec(kSpeed, 0);
                 BodyId before = must(world.createBody(def));
@@ -125,15 +125,15 @@ TEST(Dragged, TrailersStayAtTheWallThatStopsThem) {
                     before = trailers.back();
                 }
                 // The wall turns them straight, while the train still draws them along it.
-                const Fastest met = watch(world, trailers, 180);
+                const Fastest met = fastestOf(world, trailers, 180);
                 EXPECT_LT(met.speed, 8 * kSpeed) << name;
                 EXPECT_LT(met.hit, 8 * kSpeed) << name;
-                const Fastest later = watch(world, trailers, 420);
+                const Fastest later = fastestOf(world, trailers, 420);
                 EXPECT_LT(later.speed, 2 * kSpeed) << name;
                 EXPECT_LT(later.hit, 2 * kSpeed) << name;
                 EXPECT_TRUE(met.allInside && later.allInside) << name;
                 must(world.destroyJoint(hook));
-                const Fastest loose = watch(world, trailers, 60);
+                const Fastest loose = fastestOf(world, trailers, 60);
                 EXPECT_LT(loose.speed, 2 * kSpeed) << name << ", unhooked";
                 EXPECT_TRUE(loose.allInside) << name << ", unhooked";
             }
@@ -155,7 +155,7 @@ TEST(Dragged, ChainsGoNoFasterThanTenTimesTheirHook) {
                             return least + (most - least) * (static_cast<double>(random()) / 4294967296.0);
                         };
                         World world = makeWorld(profile);
-                        addRoom(world);
+                        addWideRoom(world);
                         const BodyId hook = must(world.createBody(bodyAt(BodyType::kinematic, {0, 5})));
                         BodyId before = hook;
                         std::vector<BodyId> chain;
@@ -169,7 +169,7 @@ TEST(Dragged, ChainsGoNoFasterThanTenTimesTheirHook) {
                         }
                         const double way = number(-kPi, kPi);
                         must(world.setVelocity(hook, vec(speed * std::cos(way), speed * std::sin(way)), 0));
-                        const Fastest fastest = watch(world, chain, 180);
+                        const Fastest fastest = fastestOf(world, chain, 180);
                         // Beside what a free fall gives, and what straightens as it meets the wall.
                         EXPECT_LT(fastest.speed, 10 * speed + 50)
                             << profileName(profile) << ", " << nameOf(kind) << ", " << links << " links, " << speed
@@ -189,7 +189,7 @@ TEST(Dragged, WhatTheMouseTakesBeyondAWallComesToRestAtIt) {
     for (const Profile profile : kProfiles) {
         for (const double beyond : {0.5, 1.0, 2.0, 5.0, 20.0}) {
             World world = makeWorld(profile);
-            const BodyId room = addRoom(world);
+            const BodyId room = addWideRoom(world);
             const BodyId crate = addBody(world, dynamicAt({5, 0.5}), box(0.5, 0.5));
             MouseJointDef def;
             def.base = between(room, crate);
@@ -198,7 +198,7 @@ TEST(Dragged, WhatTheMouseTakesBeyondAWallComesToRestAtIt) {
             const double way = kHalfWidth - 0.5 - 5.2 + beyond;
             const auto drag = [&](double time) {
                 must(world.setTarget(mouse, DVec2{5.2 + time * way, 0.7 + time * 2}));
-                return watch(world, {crate}, 1);
+                return fastestOf(world, {crate}, 1);
             };
             Fastest fastest;
             for (int i = 1; i <= 180; ++i) {
@@ -208,7 +208,7 @@ TEST(Dragged, WhatTheMouseTakesBeyondAWallComesToRestAtIt) {
             }
             const std::string name = profileName(profile) + ", " + std::to_string(beyond) + " m beyond";
             EXPECT_LT(fastest.speed, 20 + way) << name;
-            const Fastest later = watch(world, {crate}, 120);
+            const Fastest later = fastestOf(world, {crate}, 120);
             EXPECT_LT(later.speed, 0.5) << name;
             EXPECT_LT(std::fabs(spinOf(world, crate)), 1) << name;
             EXPECT_TRUE(fastest.allInside && later.allInside) << name;
@@ -243,14 +243,14 @@ TEST(Dragged, WhatIsTurnedOrPushedOffItsJointIsNoFasterThanThat) {
         }
         for (const Tie kind : {Tie::hinge, Tie::weld}) {
             World world = makeWorld(profile);
-            addRoom(world);
+            addWideRoom(world);
             BodyDef def = bodyAt(BodyType::kinematic, {-3, 1});
             def.velocity = vec(3, 0);
             addBody(world, def, box(0.2, 0.9));
             const BodyId load = addBody(world, dynamicAt({0, 1}), box(0.3, 0.3));
             tie(world, kind, must(world.createBody(bodyAt(BodyType::fixed, {0, 2}))), load, {0, 1.9});
             // Until it comes to the wall: then it is squeezed.
-            const Fastest fastest = watch(world, {load}, 220);
+            const Fastest fastest = fastestOf(world, {load}, 220);
             EXPECT_LT(fastest.speed, 12) << profileName(profile) << ", " << nameOf(kind);
         }
     }
@@ -260,7 +260,7 @@ TEST(Dragged, WhatIsTurnedOrPushedOffItsJointIsNoFasterThanThat) {
 TEST(Dragged, HeavyLoadsAreLifted) {
     for (const Profile profile : kProfiles) {
         World world = makeWorld(profile);
-        addRoom(world);
+        addWideRoom(world);
         const BodyId hook = must(world.createBody(bodyAt(BodyType::kinematic, {0, 6})));
         BodyId before = hook;
         for (int i = 0; i < 4; ++i) {

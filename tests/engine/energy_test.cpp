@@ -8,7 +8,7 @@
 namespace swept::test {
 namespace {
 
-constexpr double kHalf = 5;  ///< of the inner width of the box, m
+constexpr double kBoxHalf = 5;  ///< of the inner width of the box, m
 
 struct Crowd {
     World world;
@@ -19,7 +19,7 @@ struct Crowd {
         : world(makeWorld(pull)), gravity(pull) {
         const ShapeDef surface = material(friction, restitution);
         const BodyId walls = must(world.createBody(bodyAt(BodyType::fixed, {})));
-        const double outer = kHalf + 0.5;
+        const double outer = kBoxHalf + 0.5;
         for (const double side : {-outer, outer}) {
             must(world.addShape(walls, must(makeBox(vec(0.5, outer + 0.5), vec(side, 0))), surface));
             must(world.addShape(walls, must(makeBox(vec(outer + 0.5, 0.5), vec(0, side))), surface));
@@ -59,7 +59,7 @@ Growth watch(Crowd crowd) {
         lowest = std::min(lowest, now);
         for (const BodyId body : crowd.bodies) {
             const DVec2 p = crowd.world.centerOfMass(body);
-            growth.escaped = growth.escaped || std::max(std::abs(p.x), std::abs(p.y)) > kHalf;
+            growth.escaped = growth.escaped || std::max(std::abs(p.x), std::abs(p.y)) > kBoxHalf;
         }
     }
     growth.lost = start - crowd.energy();

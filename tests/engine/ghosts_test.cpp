@@ -159,15 +159,15 @@ TEST(Ghosts, NothingCatchesOnASlopeOfPieces) {
     }
 }
 
-enum class Wall { standing, ofPieces, throughTheFloor };
-constexpr std::array<Wall, 3> kWalls{Wall::standing, Wall::ofPieces, Wall::throughTheFloor};
+enum class GhostWall { standing, ofPieces, throughTheFloor };
+constexpr std::array<GhostWall, 3> kWalls{GhostWall::standing, GhostWall::ofPieces, GhostWall::throughTheFloor};
 constexpr int kWallPiece = 20;
 constexpr double kWallX = kWallPiece * kSpan;
 
-void addWall(World& world, Ground ground, Wall wall) {
-    const bool through = wall == Wall::throughTheFloor;
+void addWall(World& world, Ground ground, GhostWall wall) {
+    const bool through = wall == GhostWall::throughTheFloor;
     addFloor(world, ground, -400, through ? kWallPiece : kWallPiece + 20);
-    const double piece = wall == Wall::standing ? 4 : kSpan;
+    const double piece = wall == GhostWall::standing ? 4 : kSpan;
     for (double y = through ? -2 : 0; y < 4; y += piece) {
         if (ground == Ground::segments) {
             addStatic(world, segment(kWallX, y, kWallX, y + piece), material(0));
@@ -177,7 +177,7 @@ void addWall(World& world, Ground ground, Wall wall) {
     }
 }
 
-void expectStopped(Ground ground, Wall wall, ContinuousMode mode, const Slider& slider, double speed) {
+void expectStopped(Ground ground, GhostWall wall, ContinuousMode mode, const Slider& slider, double speed) {
     World world = worldIn(mode);
     addWall(world, ground, wall);
     const BodyId body = addBody(world, dynamicAt({0, slider.height}, vec(speed, 0)), slider.polygon, material(0));
@@ -201,7 +201,7 @@ void expectStopped(Ground ground, Wall wall, ContinuousMode mode, const Slider& 
 
 TEST(Ghosts, WallsAreStillWalls) {
     for (const Ground ground : kLoose) {
-        for (const Wall wall : kWalls) {
+        for (const GhostWall wall : kWalls) {
             for (const ContinuousMode mode : kModes) {
                 for (const Slider& slider : sliders()) {
                     for (const double speed : {1.0, 5.0, 20.0, 100.0}) {

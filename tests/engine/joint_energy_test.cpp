@@ -22,7 +22,7 @@ double gainOf(World& world, const std::vector<BodyId>& bodies, double dt, double
     return gain;
 }
 
-WorldSettings settingsOf(Profile profile) {
+WorldSettings settingsInProfile(Profile profile) {
     WorldSettings settings = awakeSettings(profile);
     return settings;
 }
@@ -43,7 +43,7 @@ TEST(JointEnergy, OfARopeThatIsLetGo) {
     };
     constexpr double kLength = 10;
     for (const Rope& rope : {Rope{20, 0}, Rope{16, 1.5}}) {
-        World world = makeWorld(settingsOf(Profile::accurate));
+        World world = makeWorld(settingsInProfile(Profile::accurate));
         const double link = kLength / rope.links;
         const DVec2 along{std::cos(rope.angle), std::sin(rope.angle)};
         std::vector<BodyId> links;
@@ -75,7 +75,7 @@ TEST(JointEnergy, OfATautBridgeThatABoxFallsOn) {
     for (const Profile profile : {Profile::accurate, Profile::fast}) {
         for (const int planks : {4, 6, 12, 20}) {
             for (const double rate : {60.0, 120.0}) {
-                World world = makeWorld(settingsOf(profile));
+                World world = makeWorld(settingsInProfile(profile));
                 const BodyId ground = anchorOf(world);
                 std::vector<BodyId> bodies;
                 BodyId before = ground;
@@ -105,7 +105,7 @@ TEST(JointEnergy, OfAChainThatIsBentOverACorner) {
             for (int i = 0; i < 10; ++i) {
                 const double length = 0.27;
                 const double off = 0.012 * i;
-                World world = makeWorld(settingsOf(Profile::accurate));
+                World world = makeWorld(settingsInProfile(Profile::accurate));
                 const BodyId post = addStatic(world, box(0.2, 0.2), material(0.6), {0, 12});
                 std::vector<BodyId> bodies;
                 BodyId before = post;
@@ -133,7 +133,7 @@ TEST(JointEnergy, OfAChainThatIsBentOverACorner) {
 /// A chain that tumbles down stairs, and lies on itself. (Of 24 such three had a step that gained up to 0.8 of it all.)
 TEST(JointEnergy, OfAChainThatFallsDownStairs) {
     for (int run = 0; run < 8; ++run) {
-        World world = makeWorld(settingsOf(Profile::accurate));
+        World world = makeWorld(settingsInProfile(Profile::accurate));
         for (int i = 0; i < 12; ++i) { addStatic(world, box(0.5, 0.25), material(0.6), {0.7 * i, -0.5 * i}); }
         std::vector<BodyId> bodies;
         BodyId before{};
@@ -191,7 +191,7 @@ TEST(JointEnergy, OfSlidersThatNothingHolds) {
 TEST(JointEnergy, OfWhatHangsOnLimitsAndIsChanged) {
     for (const Profile profile : {Profile::accurate, Profile::fast}) {
         for (const double factor : {1e-3, 1e-2, 0.1, 10.0, 1000.0}) {
-            World world = makeWorld(settingsOf(profile));
+            World world = makeWorld(settingsInProfile(profile));
             BodyId before = must(world.createBody(bodyAt(BodyType::fixed, {0, 20})));
             std::vector<BodyId> bodies;
             for (int i = 0; i < 5; ++i) {
@@ -222,7 +222,8 @@ struct TwoPins {
     std::vector<BodyId> boxes;
     std::vector<JointId> pins;
 
-    TwoPins(Profile profile, Random& random, double height, Vec2 velocity) : world(makeWorld(settingsOf(profile))) {
+    TwoPins(Profile profile, Random& random, double height, Vec2 velocity)
+        : world(makeWorld(settingsInProfile(profile))) {
         const double angle = random.range(0, 2 * kPi);
         const double spin = random.range(-5, 5);
         for (const double side : {-0.5, 0.5}) {

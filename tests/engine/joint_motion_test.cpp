@@ -14,7 +14,7 @@ struct Swing {
 };
 
 /// Swings for a time and measures; `bob` is at rest at the start, `turn` radians from hanging; the pivot is the origin.
-Swing watch(World& world, BodyId bob, JointId joint, double seconds) {
+Swing swingOf(World& world, BodyId bob, JointId joint, double seconds) {
     const auto offset = [&] {
         const DVec2 c = world.centerOfMass(bob);
         return std::atan2(c.x, -c.y);
@@ -59,7 +59,7 @@ Swing swingOnHinge(double turn, double seconds, double& expected) {
     hinge.base.bodyB = bob;
     const JointId joint = must(world.createJoint(hinge));
     expected = exactPeriod(1 + world.inertia(bob) / world.mass(bob), turn);
-    return watch(world, bob, joint, seconds);
+    return swingOf(world, bob, joint, seconds);
 }
 
 TEST(JointMotion, SmallPendulumKeepsItsPeriod) {
@@ -87,7 +87,7 @@ TEST(JointMotion, RodPendulumKeepsItsPeriodAndEnergy) {
     rod.base.bodyB = bob;
     rod.anchorB = world.position(bob);
     const JointId joint = must(world.createJoint(rod));
-    const Swing swing = watch(world, bob, joint, 60);
+    const Swing swing = swingOf(world, bob, joint, 60);
     expectAtMost("period", std::abs(swing.period / exactPeriod(1, turn) - 1), 1e-4);
     expectAtMost("energy", swing.energyError, 5e-3);
     expectAtMost("gap", swing.gap, 2e-4);

@@ -20,8 +20,8 @@ struct Free {
 };
 
 template <class Def>
-void tie(World& world, const JointDef& base, DVec2 anchor, double angle, const std::optional<Spring>& spring,
-         const std::optional<Free>& free) {
+void tieInPlace(World& world, const JointDef& base, DVec2 anchor, double angle, const std::optional<Spring>& spring,
+                const std::optional<Free>& free) {
     Def def;
     if constexpr (requires { def.limits; }) {
         if (free) { def.limits = {real(free->least), real(free->most)}; }
@@ -52,13 +52,13 @@ void tieSomehow(World& world, BodyId a, BodyId b, Ties ties, Random& random) {
     const double angle = random.range(0, 2 * kPi);
     switch (random.integer(0, 4)) {
         case 0:
-            return tie<RevoluteJointDef>(world, base, anchor, angle, spring, free);
+            return tieInPlace<RevoluteJointDef>(world, base, anchor, angle, spring, free);
         case 1:
-            return tie<PrismaticJointDef>(world, base, anchor, angle, spring, free);
+            return tieInPlace<PrismaticJointDef>(world, base, anchor, angle, spring, free);
         case 2:
-            return tie<WheelJointDef>(world, base, anchor, angle, spring, free);
+            return tieInPlace<WheelJointDef>(world, base, anchor, angle, spring, free);
         case 3:
-            return tie<WeldJointDef>(world, base, anchor, angle, spring, free);
+            return tieInPlace<WeldJointDef>(world, base, anchor, angle, spring, free);
         default:
             break;
     }

@@ -11,7 +11,7 @@
 namespace swept::test {
 namespace {
 
-WorldSettings weightless(Profile profile) {
+WorldSettings weightlessIn(Profile profile) {
     WorldSettings settings = awakeSettings(profile, 0);
     return settings;
 }
@@ -23,7 +23,7 @@ struct TieKind {
 };
 
 template <class Def>
-void tie(World& world, BodyId post, BodyId box, DVec2 anchor) {
+void tieToPost(World& world, BodyId post, BodyId box, DVec2 anchor) {
     Def def;
     def.base = between(post, box);
     if constexpr (requires { def.anchorA; }) {
@@ -36,11 +36,11 @@ void tie(World& world, BodyId post, BodyId box, DVec2 anchor) {
     must(world.createJoint(def));
 }
 
-constexpr TieKind kTies[] = {{"hinge", tie<RevoluteJointDef>},
-                             {"rod", tie<DistanceJointDef>},
-                             {"slider", tie<PrismaticJointDef>},
-                             {"wheel", tie<WheelJointDef>},
-                             {"weld", tie<WeldJointDef>}};
+constexpr TieKind kTies[] = {{"hinge", tieToPost<RevoluteJointDef>},
+                             {"rod", tieToPost<DistanceJointDef>},
+                             {"slider", tieToPost<PrismaticJointDef>},
+                             {"wheel", tieToPost<WheelJointDef>},
+                             {"weld", tieToPost<WeldJointDef>}};
 
 double kineticOf(const World& world, BodyId body) { return energyOf(world, std::span(&body, 1), 0); }
 
@@ -64,7 +64,7 @@ TEST(JointParted, WhatTwoThatPartPullAt) {
             for (const TieKind& second : kTies) {
                 for (const double lever : {0.0, 2.0}) {
                     for (const double gap : {0.1, 1.0}) {
-                        World world = makeWorld(weightless(profile));
+                        World world = makeWorld(weightlessIn(profile));
                         const BodyId load = addBody(world, dynamicAt({0, 0}), box(0.5, 0.5));
                         BodyDef puller = bodyAt(BodyType::kinematic, {2 * lever + 1.5, 1});
                         puller.velocity = vec(gap, 0);
@@ -95,7 +95,7 @@ TEST(JointParted, WhatIsReeledInFarther) {
     for (const Profile profile : kProfiles) {
         for (const bool isRope : {false, true}) {
             for (const double by : {0.5, 1.0, 2.0}) {
-                World world = makeWorld(weightless(profile));
+                World world = makeWorld(weightlessIn(profile));
                 const BodyId load = addBody(world, dynamicAt({0, 0}), box(0.5, 0.5));
                 const auto hang = [&](DVec2 post, DVec2 hook) {
                     DistanceJointDef def;
@@ -152,7 +152,7 @@ TEST(JointParted, WhatIsYankedUpToACarrier) {
 TEST(JointParted, WhatWhirlsOnARopeThatIsReeledInKeepsItsAngularMomentum) {
     for (const Profile profile : kProfiles) {
         for (const double speed : {0.5, 2.0}) {
-            World world = makeWorld(weightless(profile));
+            World world = makeWorld(weightlessIn(profile));
             const BodyId load = addBody(world, dynamicAt({4, 0}, vec(0, 3)), circle(0.2));
             DistanceJointDef rope;
             rope.base = between(anchorOf(world), load);
@@ -175,7 +175,7 @@ TEST(JointParted, WhatWhirlsOnARopeThatIsReeledInKeepsItsAngularMomentum) {
 /// of the energy relative to the hook was lost.)
 TEST(JointParted, WhatWhirlsAboutASlowCarrierGoesOn) {
     for (const Profile profile : kProfiles) {
-        World world = makeWorld(weightless(profile));
+        World world = makeWorld(weightlessIn(profile));
         BodyDef hook = bodyAt(BodyType::kinematic, {0, 0});
         hook.velocity = vec(1, 0);
         const BodyId load = addBody(world, dynamicAt({1, 0}, vec(1, 12)), circle(0.2));
@@ -197,12 +197,12 @@ struct Row {
     std::vector<JointId> joints;
 };
 template <class Tie>
-Row addRow(World& world, double height, const Tie& tie) {
+Row addPartedRow(World& world, double height, const Tie& tieToPost) {
     Row row;
     for (int i = 0; i < 4; ++i) {
         row.boxes.push_back(addBody(world, dynamicAt({0.6 * i, height}), box(0.25, 0.25)));
         if (i == 0) { continue; }
-        row.joints.push_back(tie(row.boxes[static_cast<std::size_t>(i) - 1], row.boxes.back(), 0.6 * i - 0.3));
+        row.joints.push_back(tieToPost(row.boxes[static_cast<std::size_t>(i) - 1], row.boxes.back(), 0.6 * i - 0.3));
     }
     return row;
 }
@@ -212,7 +212,7 @@ TEST(JointParted, WhatIsBeyondItsLimitsGetsToThem) {
     for (const Profile profile : kProfiles) {
         for (const char* kind : {"hinge", "slider", "wheel"}) {
             for (const double lower : {0.01, 0.1, 0.5, 1.0}) {
-                World world = makeWorld(weightless(profile));
+                World world = makeWorld(weightlessIn(profile));
                 const BodyId post = must(world.createBody({}));
                 const BodyId bar = addBody(world, dynamicAt({1, 0}), box(0.5, 0.1));
                 JointId joint;
@@ -249,7 +249,7 @@ TEST(JointParted, WhatIsPutElsewhereIsPulledBack) {
                     WorldSettings settings = awakeSettings(profile);
                     World world = makeWorld(settings);
                     addStatic(world, box(200, 1), material(0.6), {0, -1});
-                    const Row row = addRow(world, height, [&](BodyId a, BodyId b, double x) {
+                    const Row row = addPartedRow(world, height, [&](BodyId a, BodyId b, double x) {
                         if (isWeld) { return must(world.createJoint(WeldJointDef{between(a, b), {x, height}})); }
                         return must(world.createJoint(RevoluteJointDef{between(a, b), {x, height}}));
                     });

@@ -279,19 +279,19 @@ TEST(JointSprings, StiffSpringsAreStable) {
     }
 }
 
-constexpr double kHalfLink = 0.2;
+constexpr double kLinkHalf = 0.2;
 
 /// Boxes side by side at this height, the first one at 0, on hinges with soft springs.
 std::vector<BodyId> addLinks(World& world, double height, DVec2 velocity) {
     constexpr int kLinks = 10;
     std::vector<BodyId> links;
     for (int i = 0; i < kLinks; ++i) {
-        const DVec2 center{2 * kHalfLink * i, height};
-        links.push_back(addBody(world, dynamicAt(center, vec(velocity.x, velocity.y)), box(kHalfLink, 0.1)));
+        const DVec2 center{2 * kLinkHalf * i, height};
+        links.push_back(addBody(world, dynamicAt(center, vec(velocity.x, velocity.y)), box(kLinkHalf, 0.1)));
         if (i == 0) { continue; }
         RevoluteJointDef joint;
         joint.base = between(links[links.size() - 2], links.back());
-        joint.anchor = {center.x - kHalfLink, height};
+        joint.anchor = {center.x - kLinkHalf, height};
         joint.spring = Spring{real(2), real(0.7)};
         must(world.createJoint(joint));
     }
@@ -305,7 +305,7 @@ double widestGap(const World& world, const std::vector<BodyId>& links) {
     };
     double widest = 0;
     for (std::size_t k = 1; k < links.size(); ++k) {
-        widest = std::max(widest, length(endOf(links[k], -kHalfLink) - endOf(links[k - 1], kHalfLink)));
+        widest = std::max(widest, length(endOf(links[k], -kLinkHalf) - endOf(links[k - 1], kLinkHalf)));
     }
     return widest;
 }

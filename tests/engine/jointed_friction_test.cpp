@@ -11,7 +11,7 @@
 namespace swept::test {
 namespace {
 
-constexpr int kSecond = 60;  // steps
+constexpr int kStepsPerSecond = 60;  // steps
 
 World accurateWorld() { return makeWorld(awakeSettings(Profile::accurate)); }
 
@@ -21,8 +21,8 @@ constexpr double kPost = 1;           ///< radius, m
 constexpr double kRopeRadius = 0.05;  ///< of its links
 constexpr double kOnPost = kPost + 0.06;
 constexpr double kHanging = 2;  ///< of each of its ends, m
-constexpr int kLinks = 40;
-constexpr double kLength = 2 * kHanging + std::numbers::pi * kOnPost;
+constexpr int kRopeLinks = 40;
+constexpr double kRopeLength = 2 * kHanging + std::numbers::pi * kOnPost;
 constexpr double kRopeFriction = 0.3;  ///< holds e^(μπ) = 2.57 times the load
 constexpr double kLightLoad = 10;      ///< kg
 
@@ -42,15 +42,15 @@ struct Capstan {
     explicit Capstan(double ratio) {
         addStatic(world, circle(kPost), material(kRopeFriction));
         std::vector<BodyId> links;
-        for (int i = 0; i < kLinks; ++i) {
-            const DVec2 begin = placeOnRope(i * kLength / kLinks);
-            const DVec2 way = placeOnRope((i + 1) * kLength / kLinks) - begin;
+        for (int i = 0; i < kRopeLinks; ++i) {
+            const DVec2 begin = placeOnRope(i * kRopeLength / kRopeLinks);
+            const DVec2 way = placeOnRope((i + 1) * kRopeLength / kRopeLinks) - begin;
             links.push_back(addBody(world, bodyAt(BodyType::dynamic, begin + 0.5 * way, std::atan2(way.y, way.x)),
                                     capsule(0.5 * length(way), kRopeRadius), material(kRopeFriction)));
             if (i > 0) { hinge(links[links.size() - 2], links.back(), begin); }
         }
         hang(links.front(), placeOnRope(0), kLightLoad);
-        heavy = hang(links.back(), placeOnRope(kLength), ratio * kLightLoad);
+        heavy = hang(links.back(), placeOnRope(kRopeLength), ratio * kLightLoad);
     }
     double height() const { return world.position(heavy).y; }
 
@@ -70,15 +70,15 @@ private:
 /// (It crept by millimetres a second.)
 TEST(JointedFriction, ARopeAroundAPostHoldsTwiceItsLoad) {
     Capstan capstan(2);
-    run(capstan.world, 2 * kSecond);
+    run(capstan.world, 2 * kStepsPerSecond);
     const double before = capstan.height();
-    run(capstan.world, kSecond);
+    run(capstan.world, kStepsPerSecond);
     EXPECT_NEAR(capstan.height(), before, 2e-4);
 }
 
 TEST(JointedFriction, ARopeAroundAPostSlipsUnderMore) {
     Capstan capstan(3);
-    run(capstan.world, 2 * kSecond);
+    run(capstan.world, 2 * kStepsPerSecond);
     EXPECT_LT(capstan.height(), -kHanging - 1);
 }
 
@@ -122,9 +122,9 @@ private:
 TEST(JointedFriction, ACrateStaysBetweenTheFingersOfAHeavyCrane) {
     for (const double density : {150.0, 400.0, 1500.0}) {
         Grip grip(density);
-        run(grip.world, 2 * kSecond);
+        run(grip.world, 2 * kStepsPerSecond);
         const double before = grip.world.position(grip.crate).y;
-        run(grip.world, 3 * kSecond);
+        run(grip.world, 3 * kStepsPerSecond);
         EXPECT_NEAR(grip.world.position(grip.crate).y, before, 5e-5) << density;
     }
 }
@@ -174,10 +174,10 @@ TEST(JointedFriction, ACrateOnABeamStaysAndIsWeighed) {
                 const std::string what =
                     std::to_string(bars) + " bars, ratio " + std::to_string(ratio) + ", slope " + std::to_string(slope);
                 LoadedBeam beam(bars, ratio, slope);
-                run(beam.world, 2 * kSecond);
+                run(beam.world, 2 * kStepsPerSecond);
                 const double before = beam.slid();
                 double farthest = 0;
-                for (int i = 0; i < kSecond; ++i) {
+                for (int i = 0; i < kStepsPerSecond; ++i) {
                     run(beam.world, 1);
                     const auto torque = static_cast<double>(beam.world.jointTorque(beam.root));
                     farthest = std::max(farthest, std::fabs(std::fabs(torque) - beam.torque));

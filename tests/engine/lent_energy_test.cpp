@@ -27,7 +27,7 @@ ShapeDef loose(double density) {
     return def;
 }
 
-JointId hingeAt(World& world, BodyId a, BodyId b, DVec2 anchor) {
+JointId hingeBetween(World& world, BodyId a, BodyId b, DVec2 anchor) {
     RevoluteJointDef def;
     def.base = between(a, b);
     def.anchor = anchor;
@@ -52,8 +52,8 @@ struct Trebuchet {
         bodies.push_back(addBody(world, def, box(0.5 * (kShort + kLong), 0.08), loose(100)));
         bodies.push_back(addBody(world, dynamicAt(butt - DVec2{0, 0.9}), box(0.6, 0.6), loose(3000)));
         bodies.push_back(addBody(world, dynamicAt(ball), circle(0.15), loose(10 / (kPi * 0.0225))));
-        joints.push_back(hingeAt(world, anchorOf(world), bodies[0], {}));
-        joints.push_back(hingeAt(world, bodies[0], bodies[1], butt));
+        joints.push_back(hingeBetween(world, anchorOf(world), bodies[0], {}));
+        joints.push_back(hingeBetween(world, bodies[0], bodies[1], butt));
         DistanceJointDef rope;
         rope.base = between(bodies[0], bodies[2]);
         rope.anchorA = tip;
@@ -115,7 +115,7 @@ struct Bars {
             ShapeDef density = shape;
             density.density = real(std::pow(10.0, random.range(1, 3)));
             bodies.push_back(addBody(world, def, box(0.5, 0.05), density));
-            hingeAt(world, before, bodies.back(), place);
+            hingeBetween(world, before, bodies.back(), place);
             heaviest = std::max(heaviest, world.mass(bodies.back()));
             before = bodies.back();
             place = end;
@@ -216,7 +216,7 @@ TEST(LentEnergy, GoesWithTheJointThatIsGone) {
     EXPECT_LT(olderLoanAfterStep(without, {trebuchet.bodies[0], trebuchet.bodies[1]}), 1);
     World other = trebuchet.world;  // one in the slot of another
     must(other.destroyJoint(trebuchet.joints[0]));
-    hingeAt(other, anchorOf(other), trebuchet.bodies[0], {});
+    hingeBetween(other, anchorOf(other), trebuchet.bodies[0], {});
     EXPECT_LT(olderLoanAfterStep(other, trebuchet.bodies), 1);
 }
 
@@ -225,7 +225,7 @@ TEST(LentEnergy, GoesWithTheBodyThatIsGone) {
     for (const BodyId body : trebuchet.bodies) { must(trebuchet.world.destroyBody(body)); }
     for (int i = 0; i < 3; ++i) {
         const BodyId light = addBody(trebuchet.world, dynamicAt({1.0 + i, 0}), box(0.1, 0.1), loose(1));
-        hingeAt(trebuchet.world, anchorOf(trebuchet.world), light, {static_cast<double>(i), 0});
+        hingeBetween(trebuchet.world, anchorOf(trebuchet.world), light, {static_cast<double>(i), 0});
     }
     must(trebuchet.world.step(kStep));
     EXPECT_LT(loanOf(trebuchet.world), 1);
@@ -236,7 +236,7 @@ TEST(LentEnergy, StaysAsOthersComeAndGo) {
     Trebuchet trebuchet = jerkedTrebuchet();
     World other = trebuchet.world;
     const BodyId light = addBody(other, dynamicAt({100, 0}), box(0.1, 0.1), loose(1));
-    hingeAt(other, light, addBody(other, dynamicAt({101, 0}), box(0.1, 0.1), loose(1)), {100.5, 0});
+    hingeBetween(other, light, addBody(other, dynamicAt({101, 0}), box(0.1, 0.1), loose(1)), {100.5, 0});
     must(other.step(kStep));
     must(trebuchet.world.step(kStep));
     EXPECT_EQ(loanOf(other), loanOf(trebuchet.world));

@@ -8,13 +8,13 @@
 namespace swept::test {
 namespace {
 
-struct Pile {
+struct LoadedPile {
     World world;
     BodyId ground;
     std::vector<BodyId> bodies;
     std::vector<DVec2> places;
 
-    explicit Pile(Profile profile) : world(makeWorld(settingsOf(profile))) {
+    explicit LoadedPile(Profile profile) : world(makeWorld(settingsOf(profile))) {
         ground = addStatic(world, box(100, 0.5), material(0.6), {0, -0.5});
     }
     static WorldSettings settingsOf(Profile profile) {
@@ -48,25 +48,25 @@ struct Pile {
     }
 };
 
-using Build = void (*)(Pile&);
+using Build = void (*)(LoadedPile&);
 
-void buildPyramid(Pile& pile) {
+void buildPyramid(LoadedPile& pile) {
     for (int row = 0; row < 20; ++row) {
         for (int i = 0; i < 20 - row; ++i) { pile.add({i - 0.5 * (19 - row), row + 0.5}, box(0.5, 0.5)); }
     }
 }
-void buildWall(Pile& pile) {
+void buildWall(LoadedPile& pile) {
     for (int row = 0; row < 12; ++row) {
         for (int i = 0; i < 10; ++i) {
             pile.add({2 * i + (row % 2 != 0 ? 0.5 : 0), 0.5 * row + 0.25}, box(0.984375, 0.25));
         }
     }
 }
-void buildTower(Pile& pile) {
+void buildTower(LoadedPile& pile) {
     for (int i = 0; i < 60; ++i) { pile.add({i % 2 != 0 ? 0.125 : 0, i + 0.5}, box(0.5, 0.5)); }
 }
 /// A table, its legs of unlike strength and one beside the middle of its load.
-void buildTable(Pile& pile) {
+void buildTable(LoadedPile& pile) {
     pile.add({-1.5, 0.5}, box(0.25, 0.5));
     pile.add({1, 0.5}, box(0.125, 0.5));
     pile.add({0, 1.125}, box(2, 0.125));
@@ -78,7 +78,7 @@ void buildTable(Pile& pile) {
 TEST(LoadPaths, WhatBeginsAtRestStands) {
     for (const Profile profile : kProfiles) {
         for (const Build build : {buildPyramid, buildWall, buildTower, buildTable}) {
-            Pile pile(profile);
+            LoadedPile pile(profile);
             build(pile);
             run(pile.world, 1);
             EXPECT_TRUE(pile.isHeld()) << pile.world.counters().settledBodies << " of " << pile.bodies.size();
@@ -92,7 +92,7 @@ TEST(LoadPaths, WhatBeginsAtRestStands) {
 
 /// What finds the balance is a balance of the solver, too: solved on from there it stays but for the give of contacts.
 TEST(LoadPaths, TheSolverAgrees) {
-    Pile pile(Profile::accurate);
+    LoadedPile pile(Profile::accurate);
     buildPyramid(pile);
     run(pile.world, 1);
     ASSERT_TRUE(pile.isHeld());
@@ -108,7 +108,7 @@ TEST(LoadPaths, TheSolverAgrees) {
 /// Set down with errors that are too wide to be held, it is solved all at once from impulses that are nearly right.
 TEST(LoadPaths, GuessesForTheDirectSolver) {
     const auto searchOf = [](bool mayGuess) {
-        Pile pile(Profile::accurate);
+        LoadedPile pile(Profile::accurate);
         for (int row = 0; row < 15; ++row) {
             for (int i = 0; i < 15 - row; ++i) {
                 const double error = 2e-4 * (((7 * row + 5 * i) % 11) / 11.0 - 0.5);
@@ -133,9 +133,9 @@ TEST(LoadPaths, GuessesForTheDirectSolver) {
 }
 
 /// Blocks of a metre, each as far beyond the one below as can be: the k-th from above by 1/(2k) m.
-Pile overhang(Profile profile, double share) {
+LoadedPile overhang(Profile profile, double share) {
     constexpr int kBlocks = 8;
-    Pile pile(profile);
+    LoadedPile pile(profile);
     double place = 0;
     for (int below = kBlocks; below > 0; --below) {
         pile.add({place, 0.25 * (kBlocks - below) + 0.125}, box(0.5, 0.125));
@@ -146,12 +146,12 @@ Pile overhang(Profile profile, double share) {
 
 TEST(LoadPaths, OverhangsStandUpToTheirLimit) {
     for (const Profile profile : kProfiles) {
-        Pile stands = overhang(profile, 0.99);
+        LoadedPile stands = overhang(profile, 0.99);
         run(stands.world, 1);
         EXPECT_TRUE(stands.isHeld());
         run(stands.world, 120);
         EXPECT_EQ(stands.worstMove(), 0);
-        Pile falls = overhang(profile, 1.02);
+        LoadedPile falls = overhang(profile, 1.02);
         for (int i = 0; i < 120; ++i) {
             run(falls.world, 1);
             ASSERT_LT(falls.world.counters().settledBodies, falls.bodies.size()) << "step " << i;
@@ -164,7 +164,7 @@ TEST(LoadPaths, OverhangsStandUpToTheirLimit) {
 TEST(LoadPaths, ScalesTellUnlikeWeights) {
     for (const Profile profile : kProfiles) {
         for (const double excess : {0.0, 0.125}) {
-            Pile pile(profile);
+            LoadedPile pile(profile);
             pile.add({0, 0.5}, box(0.03125, 0.5));
             pile.add({0, 1.0625}, box(2, 0.0625));
             pile.add({-1.5, 1.375}, box(0.25, 0.25));
@@ -184,7 +184,7 @@ TEST(LoadPaths, NothingHangsBetweenWallsByFrictionAlone) {
         for (const double slant : {0.0, 0.1, 0.5}) {
             for (const int crates : {1, 3}) {
                 SCOPED_TRACE(testing::Message() << "slant " << slant << ", crates " << crates);
-                Pile pile(profile);
+                LoadedPile pile(profile);
                 const DVec2 up{std::sin(slant), std::cos(slant)};
                 const DVec2 right{up.y, -up.x};
                 for (const double side : {-1.0, 1.0}) {
@@ -214,7 +214,7 @@ TEST(LoadPaths, WedgesHoldWhatIsInThem) {
         for (const double degrees : {1.0, 2.0, 3.0, 5.0, 20.0}) {
             for (const double friction : {0.0, 0.02, 0.3}) {
                 SCOPED_TRACE(testing::Message() << degrees << " degrees, friction " << friction);
-                Pile pile(profile);
+                LoadedPile pile(profile);
                 const double half = degrees * kPi / 180;
                 const double radius = 0.5;
                 const double high = radius / std::sin(half);  // of the centre above the edge in which the walls meet
@@ -237,7 +237,7 @@ TEST(LoadPaths, WedgesHoldWhatIsInThem) {
 TEST(LoadPaths, PlanksThatLeanOnAWallStand) {
     for (const Profile profile : kProfiles) {
         for (const double lean : {0.1, 0.3, 0.5}) {
-            Pile pile(profile);
+            LoadedPile pile(profile);
             addStatic(pile.world, box(0.5, 5), material(0.6), {-0.5, 5});
             const double across = 0.05;
             const double along = 1;

@@ -10,7 +10,7 @@
 namespace swept::test {
 namespace {
 
-constexpr int kBoxes = 5;
+constexpr int kPileBoxes = 5;
 
 struct Pile {
     World world;
@@ -26,14 +26,14 @@ Pile makePile(Profile profile, bool afterwards) {
     Pile pile{.world = makeWorld(settings)};
     pile.level = must(pile.world.createBody({}));
     pile.floor = must(pile.world.addShape(pile.level, must(makeBox(vec(20, 1), vec(0, -1)))));
-    for (int i = 0; i < kBoxes; ++i) {
+    for (int i = 0; i < kPileBoxes; ++i) {
         BodyDef def = dynamicAt({afterwards ? 3.0 * i : 0.0, i + 0.5});
         def.awake = afterwards;
         pile.boxes.push_back(addBody(pile.world, def, box(0.5, 0.5)));
     }
     if (!afterwards) { return pile; }
     run(pile.world, 3);
-    for (int i = 0; i < kBoxes; ++i) {
+    for (int i = 0; i < kPileBoxes; ++i) {
         must(pile.world.setPose(pile.boxes[static_cast<std::size_t>(i)], {0, i + 0.5}, 0));
     }
     for (const BodyId body : pile.boxes) { must(pile.world.setAwake(body, false)); }
@@ -58,7 +58,7 @@ TEST(MadeAsleep, TellsWhatItTouchesAndSleepsOn) {
             SCOPED_TRACE(profileName(profile) + (afterwards ? ", put there" : ", made there"));
             Pile pile = makePile(profile, afterwards);
             run(pile.world, 1);
-            EXPECT_EQ(countEvents(pile.world, ContactEventType::begin), kBoxes);
+            EXPECT_EQ(countEvents(pile.world, ContactEventType::begin), kPileBoxes);
             EXPECT_EQ(awakeIn(pile), 0);
             int points = 0;
             pile.world.visitContacts(pile.boxes[1], [&points](const ContactView&) { ++points; });
@@ -74,7 +74,7 @@ TEST(MadeAsleep, TellsWhatItTouchesAndSleepsOn) {
                 run(pile.world, 1);
                 EXPECT_TRUE(pile.world.contactEvents().empty()) << "nothing begins anew";
             }
-            EXPECT_EQ(awakeIn(pile), kBoxes);
+            EXPECT_EQ(awakeIn(pile), kPileBoxes);
         }
     }
 }

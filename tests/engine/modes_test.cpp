@@ -11,9 +11,9 @@ namespace {
 constexpr std::array kModes{ContinuousMode::off, ContinuousMode::speedLimit, ContinuousMode::speculative,
                             ContinuousMode::stop, ContinuousMode::subStep};
 constexpr std::array kSpeeds{10.0, 100.0, 1000.0, 10000.0};
-constexpr double kWall = 0.02;  ///< metres thick
+constexpr double kThinWall = 0.02;  ///< metres thick
 
-WorldSettings settingsOf(ContinuousMode mode, double gravity = 0) {
+WorldSettings modeSettings(ContinuousMode mode, double gravity = 0) {
     WorldSettings settings = awakeSettings(gravity);
     settings.continuous = mode;
     return settings;
@@ -38,8 +38,8 @@ struct Range {
 
     Range(ContinuousMode mode, const Projectile& projectile, double speed, double spin, std::uint64_t seed,
           bool fixedRotation = false) {
-        world = makeWorld(settingsOf(mode));
-        addStatic(world, box(kWall / 2, 4000), material(0.3));
+        world = makeWorld(modeSettings(mode));
+        addStatic(world, box(kThinWall / 2, 4000), material(0.3));
         ShapeDef surface = material(0.3);
         surface.filter.group = -1;
         Random random(seed);
@@ -93,7 +93,7 @@ TEST(SpeedLimit, NoPointGoesFartherThanHalfOfBothWidths) {
     for (const Projectile& projectile : projectiles()) {
         Range range(ContinuousMode::speedLimit, projectile, 300, 100, 8);
         const double radius = static_cast<double>(radiusAbout(projectile.polygon, {}));
-        const double most = (projectile.width + kWall) / 2;
+        const double most = (projectile.width + kThinWall) / 2;
         double farthest = 0;
         for (int step = 0; step < 60; ++step) {
             std::vector<DVec2> before;
@@ -112,7 +112,7 @@ TEST(SpeedLimit, NoPointGoesFartherThanHalfOfBothWidths) {
 
 /// A heavy hammer flings a light ball: no push of the solver gets around the limit.
 TEST(SpeedLimit, HoldsWhatOthersPush) {
-    World world = makeWorld(settingsOf(ContinuousMode::off));
+    World world = makeWorld(modeSettings(ContinuousMode::off));
     addStatic(world, box(0.05, 10), {}, {1, 0});
     BodyDef hammer = dynamicAt({-1.4, 0}, vec(25, 0));
     addBody(world, hammer, box(0.3, 0.3), material(0, 1, 100));
@@ -131,7 +131,7 @@ TEST(SpeedLimit, HoldsWhatOthersPush) {
 }
 
 TEST(SpeedLimit, CutsOnce) {
-    World world = makeWorld(settingsOf(ContinuousMode::speedLimit));
+    World world = makeWorld(modeSettings(ContinuousMode::speedLimit));
     addStatic(world, box(0.01, 10), {}, {1e6, 0});
     Random random(5);
     for (int i = 0; i < 100; ++i) {
@@ -149,7 +149,7 @@ TEST(SpeedLimit, CutsOnce) {
 
 TEST(SpeedLimit, LeavesTheSlowAlone) {
     const auto drop = [](ContinuousMode mode) {
-        World world = makeWorld(settingsOf(mode, kGravity));
+        World world = makeWorld(modeSettings(mode, kGravity));
         addStatic(world, box(10, 0.5));
         std::vector<BodyId> bodies;
         for (int i = 0; i < 5; ++i) {
@@ -168,7 +168,7 @@ TEST(SpeedLimit, LeavesTheSlowAlone) {
 
 /// Chains and segments have no width; a wall that comes or goes changes the limit at once.
 TEST(SpeedLimit, FollowsTheThinnestWall) {
-    World world = makeWorld(settingsOf(ContinuousMode::speedLimit));
+    World world = makeWorld(modeSettings(ContinuousMode::speedLimit));
     const BodyId ball = addBody(world, dynamicAt({0, 0}, vec(1000, 0)), circle(0.1));
     const auto limited = [&] {
         must(world.setVelocity(ball, vec(1000, 0), 0));
@@ -211,7 +211,7 @@ TEST(Speculative, HoldsWhatDoesNotTurn) {
 /// A ball that would pass by the corner of a box, between it and nothing: the plane of its contact has no end.
 TEST(Speculative, HasGhostCollisionsAndSweepsHaveNone) {
     const auto fly = [](ContinuousMode mode) {
-        World world = makeWorld(settingsOf(mode));
+        World world = makeWorld(modeSettings(mode));
         addStatic(world, box(0.5, 0.5), material(0));
         const BodyId ball = addBody(world, dynamicAt({-1.2, 1.1}, vec(120, 0)), circle(0.1), material(0));
         run(world, 1);
@@ -223,7 +223,7 @@ TEST(Speculative, HasGhostCollisionsAndSweepsHaveNone) {
 }
 
 TEST(Speculative, SeesTheVelocityOfThisStep) {
-    World world = makeWorld(settingsOf(ContinuousMode::speculative));
+    World world = makeWorld(modeSettings(ContinuousMode::speculative));
     addStatic(world, segment(5, -5, 5, 5), material(0));
     const BodyId ball = addBody(world, dynamicAt({0, 0}), circle(0.1), material(0));
     run(world, 3);
@@ -233,7 +233,7 @@ TEST(Speculative, SeesTheVelocityOfThisStep) {
 }
 
 TEST(Speculative, BouncesWithTheEnergyItCameWith) {
-    World world = makeWorld(settingsOf(ContinuousMode::speculative));
+    World world = makeWorld(modeSettings(ContinuousMode::speculative));
     addStatic(world, segment(-5, -5, -5, 5), material(0, 1));
     addStatic(world, segment(5, -5, 5, 5), material(0, 1));
     const BodyId ball = addBody(world, dynamicAt({0.37, 0}, vec(60, 0)), circle(0.1), material(0, 1));
@@ -247,7 +247,7 @@ TEST(Speculative, BouncesWithTheEnergyItCameWith) {
 TEST(Speculative, FastPairsMeet) {
     for (const double speed : {60.0, 600.0}) {
         for (int offset = 0; offset < 20; ++offset) {
-            World world = makeWorld(settingsOf(ContinuousMode::speculative));
+            World world = makeWorld(modeSettings(ContinuousMode::speculative));
             const double shift = offset * speed * kStep / 20;
             const BodyId left = addBody(world, dynamicAt({-2 * speed * kStep - shift, 0}, vec(speed, 0)), circle(0.1));
             const BodyId right = addBody(world, dynamicAt({2 * speed * kStep, 0}, vec(-speed, 0)), circle(0.1));
@@ -276,7 +276,7 @@ TEST(Stop, MeetsAgainWhatItWasPutBeside) {
 
 TEST(Modes, OfABodyGoesBeforeThatOfTheWorld) {
     for (const ContinuousMode ofWorld : kModes) {
-        World world = makeWorld(settingsOf(ofWorld));
+        World world = makeWorld(modeSettings(ofWorld));
         addStatic(world, box(0.01, 100), material(0, 1));
         std::vector<BodyId> balls;
         for (std::size_t i = 0; i < kModes.size(); ++i) {
@@ -300,7 +300,7 @@ TEST(Modes, OfABodyGoesBeforeThatOfTheWorld) {
 
 /// What is not watched any more costs nothing: destroying the last such body turns the checks off.
 TEST(Modes, OfDestroyedBodiesAreForgotten) {
-    World world = makeWorld(settingsOf(ContinuousMode::off));
+    World world = makeWorld(modeSettings(ContinuousMode::off));
     addStatic(world, box(0.01, 100));
     BodyDef def = dynamicAt({-1.5, 0}, vec(120, 0));
     def.continuous = ContinuousMode::speedLimit;
@@ -313,7 +313,7 @@ TEST(Modes, OfDestroyedBodiesAreForgotten) {
 /// In a pair the more careful does its part for both: a ball without any mode is held by a speculative plank.
 TEST(Modes, OfAPairTheMoreCarefulCounts) {
     const auto meets = [](ContinuousMode ofPlank) {
-        World world = makeWorld(settingsOf(ContinuousMode::off));
+        World world = makeWorld(modeSettings(ContinuousMode::off));
         BodyDef def = dynamicAt({2, 0}, vec(-100, 0));
         def.continuous = ofPlank;
         const BodyId plank = addBody(world, def, box(0.05, 1));
@@ -327,7 +327,7 @@ TEST(Modes, OfAPairTheMoreCarefulCounts) {
 
 TEST(Modes, CostNothingWhereNothingIsFast) {
     for (const ContinuousMode mode : kModes) {
-        World world = makeWorld(settingsOf(mode, kGravity));
+        World world = makeWorld(modeSettings(mode, kGravity));
         addStatic(world, box(20, 1));
         for (int i = 0; i < 10; ++i) { addBody(world, dynamicAt({1.5 * i - 7, 1.51}), box(0.5, 0.5)); }
         for (int step = 0; step < 60; ++step) {

@@ -15,7 +15,7 @@ namespace swept::test {
 namespace {
 
 /// Bars one on the end of the other, from the origin to the right; the last one is heavier.
-struct Chain {
+struct BarChain {
     World world;
     std::vector<BodyId> bars;
     std::vector<JointId> joints;
@@ -25,8 +25,8 @@ struct Chain {
 
 /// @param join  makes the joint of a bar with the one before at a place
 template <class Join>
-Chain chainOf(const WorldSettings& settings, int bars, double tip, const Join& join) {
-    Chain chain{makeWorld(settings), {}, {}};
+BarChain chainOf(const WorldSettings& settings, int bars, double tip, const Join& join) {
+    BarChain chain{makeWorld(settings), {}, {}};
     BodyId before = anchorOf(chain.world);
     for (int i = 0; i < bars; ++i) {
         const BodyId bar =
@@ -38,7 +38,7 @@ Chain chainOf(const WorldSettings& settings, int bars, double tip, const Join& j
     return chain;
 }
 
-Chain armOf(const WorldSettings& settings, int bars, double tip, double maxTorque) {
+BarChain armOf(const WorldSettings& settings, int bars, double tip, double maxTorque) {
     return chainOf(settings, bars, tip, [maxTorque](World& world, BodyId a, BodyId b, int i) {
         RevoluteJointDef def;
         def.base = between(a, b);
@@ -59,14 +59,15 @@ double staticTorque(int bars, double tip) {
 TEST(MotorChain, MastsOfSlidersStand) {
     for (const double maxForce : {2000.0, 1e5}) {
         for (int bars = 1; bars <= 4; ++bars) {
-            Chain mast = chainOf(settingsOf(Profile::accurate), bars, 1, [&](World& world, BodyId a, BodyId b, int i) {
-                PrismaticJointDef def;
-                def.base = between(a, b);
-                def.anchor = {2.0 * i, 0};
-                def.axis = {0, 1};
-                def.motor = LinearMotor{0, real(maxForce)};
-                return must(world.createJoint(def));
-            });
+            BarChain mast =
+                chainOf(settingsOf(Profile::accurate), bars, 1, [&](World& world, BodyId a, BodyId b, int i) {
+                    PrismaticJointDef def;
+                    def.base = between(a, b);
+                    def.anchor = {2.0 * i, 0};
+                    def.axis = {0, 1};
+                    def.motor = LinearMotor{0, real(maxForce)};
+                    return must(world.createJoint(def));
+                });
             EXPECT_LT(fastestTip(mast, 10), 1e-3) << bars;
             EXPECT_NEAR(mast.world.position(mast.bars.back()).y, 0, 1e-4) << bars;
             EXPECT_NEAR(static_cast<double>(mast.world.jointForce(mast.joints.front()).y), bars * kBarWeight,
@@ -78,7 +79,7 @@ TEST(MotorChain, MastsOfSlidersStand) {
 /// They rose by millimetres a second, for ever.
 TEST(MotorChain, ArmsHoldAndSleep) {
     for (int bars = 1; bars <= 5; ++bars) {
-        Chain arm = armOf(settingsOf(Profile::accurate, true), bars, 1, 1e5);
+        BarChain arm = armOf(settingsOf(Profile::accurate, true), bars, 1, 1e5);
         runFor(arm.world, 20);
         EXPECT_NEAR(arm.world.position(arm.bars.back()).y, 0, 1e-3) << bars;
         EXPECT_FALSE(arm.world.isAwake(arm.bars.back())) << bars;
@@ -89,7 +90,7 @@ TEST(MotorChain, ArmsHoldAndSleep) {
 TEST(MotorChain, HeavyTipsAreHeld) {
     for (const double tip : {0.1, 10.0, 100.0}) {
         for (int bars = 2; bars <= 5; ++bars) {
-            Chain arm = armOf(settingsOf(Profile::accurate), bars, tip, 1e6);
+            BarChain arm = armOf(settingsOf(Profile::accurate), bars, tip, 1e6);
             EXPECT_LT(fastestTip(arm, 10), 1e-3) << bars << " bars, tip " << tip;
             EXPECT_NEAR(arm.world.position(arm.bars.back()).y, 0, 1e-3) << bars << " bars, tip " << tip;
             EXPECT_NEAR(arm.torque(), staticTorque(bars, tip), 1e-3 * staticTorque(bars, tip)) << bars << ", " << tip;
@@ -128,7 +129,7 @@ TEST(MotorChain, ArmsOnABaseThatStandsHold) {
 /// A bar with limits between two with brakes.
 TEST(MotorChain, LimitsBetweenBrakesHold) {
     for (const double tip : {1.0, 10.0}) {
-        Chain arm = chainOf(settingsOf(Profile::accurate), 3, tip, [](World& world, BodyId a, BodyId b, int i) {
+        BarChain arm = chainOf(settingsOf(Profile::accurate), 3, tip, [](World& world, BodyId a, BodyId b, int i) {
             RevoluteJointDef def;
             def.base = between(a, b);
             def.anchor = {2.0 * i, 0};
@@ -148,7 +149,7 @@ TEST(MotorChain, LimitsBetweenBrakesHold) {
 TEST(MotorChain, HeavyTipsAreHeldInFast) {
     for (const double tip : {1.0, 8.0, 10.0, 20.0}) {
         for (int bars = 2; bars <= 3; ++bars) {
-            Chain arm = armOf(settingsOf(Profile::fast), bars, tip, 1e5);
+            BarChain arm = armOf(settingsOf(Profile::fast), bars, tip, 1e5);
             runFor(arm.world, 15);
             EXPECT_LT(fastestTip(arm, 5), tip > 10 ? 0.05 : 1e-2) << bars << " bars, tip " << tip;
             EXPECT_NEAR(arm.torque(), staticTorque(bars, tip), 0.02 * staticTorque(bars, tip)) << bars << ", " << tip;
@@ -190,7 +191,7 @@ TEST(MotorChain, BrakedWheelsHoldOffTheirCentre) {
 TEST(MotorChain, WeakBrakesGiveWayAsForces) {
     for (const Profile profile : {Profile::accurate, Profile::fast}) {
         constexpr double kTorque = kBarWeight / 2;
-        Chain arm = armOf(settingsOf(profile), 1, 1, kTorque);
+        BarChain arm = armOf(settingsOf(profile), 1, 1, kTorque);
         const double mass = kBarWeight / kGravity;
         const double inertia = mass * (4 + 0.16) / 12 + mass;
         double angle = 0;
@@ -213,11 +214,11 @@ TEST(MotorChain, WeakBrakesGiveWayAsForces) {
 /// With hardly more than they need, and with much less in the middle of the arm.
 TEST(MotorChain, ArmsWithLittleTorqueToSpareDoNotTremble) {
     for (const double strength : {1.01, 2.0}) {
-        Chain arm = armOf(settingsOf(Profile::accurate), 3, 10, strength * staticTorque(3, 10));
+        BarChain arm = armOf(settingsOf(Profile::accurate), 3, 10, strength * staticTorque(3, 10));
         EXPECT_LT(fastestTip(arm, 10), 1e-3) << strength;
         EXPECT_NEAR(arm.torque(), staticTorque(3, 10), 1e-3 * staticTorque(3, 10)) << strength;
     }
-    Chain arm = armOf(settingsOf(Profile::accurate), 3, 10, 1e5);
+    BarChain arm = armOf(settingsOf(Profile::accurate), 3, 10, 1e5);
     // It cannot hold the tip: that hangs down in the end.
     must(arm.world.setAngularMotor(arm.joints[2], AngularMotor{0, 100}));
     runFor(arm.world, 20);
@@ -228,7 +229,7 @@ TEST(MotorChain, ArmsWithLittleTorqueToSpareDoNotTremble) {
 
 TEST(MotorChain, ArmsSwingAtTheirSpeed) {
     for (const Profile profile : {Profile::accurate, Profile::fast}) {
-        Chain arm = armOf(settingsOf(profile), 3, 5, 1e5);
+        BarChain arm = armOf(settingsOf(profile), 3, 5, 1e5);
         must(arm.world.setAngularMotor(arm.joints[1], AngularMotor{1, 100000}));
         runFor(arm.world, 1);
         must(arm.world.setAngularMotor(arm.joints[1], AngularMotor{0, 100000}));
@@ -251,7 +252,7 @@ TEST(MotorChain, RandomArmsDoNotShake) {
         for (std::uint32_t seed = 0; seed < someOf(100U); ++seed) {
             std::mt19937 random(seed);
             const auto between01 = [&random] { return static_cast<double>(random()) / 4294967296.0; };
-            Chain arm{makeWorld(settingsOf(profile)), {}, {}};
+            BarChain arm{makeWorld(settingsOf(profile)), {}, {}};
             BodyId before = anchorOf(arm.world);
             DVec2 at{};
             for (int i = 0; i < 3; ++i) {
@@ -282,7 +283,7 @@ TEST(MotorChain, RandomArmsDoNotShake) {
 
 /// Limits that are never reached are none: what they might do changes nothing.
 TEST(MotorChain, IdleLimitsTakeNoEnergy) {
-    Chain pendulum = chainOf(settingsOf(Profile::accurate), 3, 1, [](World& world, BodyId a, BodyId b, int i) {
+    BarChain pendulum = chainOf(settingsOf(Profile::accurate), 3, 1, [](World& world, BodyId a, BodyId b, int i) {
         RevoluteJointDef def;
         def.base = between(a, b);
         def.anchor = {2.0 * i, 0};

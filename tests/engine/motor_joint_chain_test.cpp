@@ -13,7 +13,7 @@ namespace {
 
 enum class Held { byHinge, byMotor };
 
-struct Chain {
+struct ArmChain {
     World world;
     std::vector<BodyId> bars;
     std::vector<JointId> hinges;
@@ -31,8 +31,8 @@ struct Arm {
 };
 
 /// Bars one on the end of the other, from the origin to the right; the last one is heavier.
-Chain chainOf(const WorldSettings& settings, const Arm& arm) {
-    Chain chain{makeWorld(settings), {}, {}, {}};
+ArmChain motorJointChainOf(const WorldSettings& settings, const Arm& arm) {
+    ArmChain chain{makeWorld(settings), {}, {}, {}};
     BodyId before = anchorOf(chain.world);
     for (int i = 0; i < arm.bars; ++i) {
         const BodyId bar =
@@ -65,7 +65,7 @@ MotorDrive poseOf(double maxForce, double maxTorque) {
 }
 
 /// Of the first motor, with all bars level: about its hinge, or about the middle of the first bar.
-double staticTorque(const Arm& arm) {
+double torqueAtRest(const Arm& arm) {
     double torque = 0;
     for (int i = 0; i < arm.bars; ++i) {
         const double lever = arm.held == Held::byHinge ? 2 * i + 1 : 2 * i;
@@ -79,11 +79,11 @@ TEST(MotorJointChain, ArmsHoldAndSleep) {
     for (const double tip : {1.0, 10.0, 100.0}) {
         for (int bars = 1; bars <= 5; ++bars) {
             const Arm arm{.bars = bars, .tip = tip, .drive = holdOf(1e6)};
-            Chain chain = chainOf(settingsOf(Profile::accurate, true), arm);
+            ArmChain chain = motorJointChainOf(settingsOf(Profile::accurate, true), arm);
             runFor(chain.world, 15);
             EXPECT_NEAR(chain.tipHeight(), 0, 1e-3) << bars << " bars, tip " << tip;
             EXPECT_FALSE(chain.world.isAwake(chain.bars.back())) << bars << " bars, tip " << tip;
-            EXPECT_NEAR(chain.torque(), staticTorque(arm), 1e-3 * staticTorque(arm)) << bars << " bars, tip " << tip;
+            EXPECT_NEAR(chain.torque(), torqueAtRest(arm), 1e-3 * torqueAtRest(arm)) << bars << " bars, tip " << tip;
             EXPECT_NEAR(static_cast<double>(chain.world.jointForce(chain.hinges.front()).y),
                         kBarWeight * (bars - 1 + tip), 1e-3 * kBarWeight * (bars - 1 + tip))
                 << bars << " bars, tip " << tip;
@@ -96,10 +96,10 @@ TEST(MotorJointChain, MastsStandWithoutHinges) {
     for (const double tip : {1.0, 10.0, 100.0}) {
         for (int bars = 2; bars <= 5; ++bars) {
             const Arm arm{.bars = bars, .tip = tip, .held = Held::byMotor, .drive = poseOf(1e6, 1e6)};
-            Chain chain = chainOf(settingsOf(Profile::accurate), arm);
+            ArmChain chain = motorJointChainOf(settingsOf(Profile::accurate), arm);
             EXPECT_LT(fastestTip(chain, 10), 1e-3) << bars << " bars, tip " << tip;
             EXPECT_NEAR(chain.tipHeight(), 0, 1e-3) << bars << " bars, tip " << tip;
-            EXPECT_NEAR(chain.torque(), staticTorque(arm), 1e-3 * staticTorque(arm)) << bars << " bars, tip " << tip;
+            EXPECT_NEAR(chain.torque(), torqueAtRest(arm), 1e-3 * torqueAtRest(arm)) << bars << " bars, tip " << tip;
             const double weight = kBarWeight * (bars - 1 + tip);
             EXPECT_NEAR(static_cast<double>(chain.world.jointForce(chain.motors.front()).y), weight, 1e-3 * weight);
         }
@@ -111,7 +111,7 @@ TEST(MotorJointChain, BothDrivesBesideAHingeHold) {
     for (const double tip : {1.0, 10.0, 100.0}) {
         for (int bars = 2; bars <= 3; ++bars) {
             const Arm arm{.bars = bars, .tip = tip, .drive = poseOf(1e6, 1e6)};
-            Chain chain = chainOf(settingsOf(Profile::accurate), arm);
+            ArmChain chain = motorJointChainOf(settingsOf(Profile::accurate), arm);
             runFor(chain.world, 10);
             EXPECT_LT(fastestTip(chain, 5), 1e-3) << bars << " bars, tip " << tip;
             EXPECT_NEAR(chain.tipHeight(), 0, 1e-3 * tip + 1e-3) << bars << " bars, tip " << tip;
@@ -126,12 +126,12 @@ TEST(MotorJointChain, ArmsAndMastsStandInFast) {
             for (int bars = 1; bars <= 3; ++bars) {
                 const MotorDrive drive = held == Held::byHinge ? holdOf(1e6) : poseOf(1e6, 1e6);
                 const Arm arm{.bars = bars, .tip = tip, .held = held, .drive = drive};
-                Chain chain = chainOf(settingsOf(Profile::fast), arm);
+                ArmChain chain = motorJointChainOf(settingsOf(Profile::fast), arm);
                 runFor(chain.world, 10);
                 EXPECT_LT(fastestTip(chain, 5), 1e-3) << bars << " bars, tip " << tip;
                 // Twice what welds give way.
                 EXPECT_NEAR(chain.tipHeight(), 0, 2e-3 * std::pow(bars, 4) * (1 + tip / 5)) << bars << ", tip " << tip;
-                EXPECT_NEAR(chain.torque(), staticTorque(arm), 1e-2 * staticTorque(arm)) << bars << ", tip " << tip;
+                EXPECT_NEAR(chain.torque(), torqueAtRest(arm), 1e-2 * torqueAtRest(arm)) << bars << ", tip " << tip;
             }
         }
     }
@@ -161,7 +161,7 @@ TEST(MotorJointChain, HingesTellWhatTheyHoldInFast) {
 /// A body that one motor joint alone holds does not give way: it has nothing to shake with.
 TEST(MotorJointChain, OneAloneHoldsExactly) {
     for (const Profile profile : {Profile::accurate, Profile::fast}) {
-        Chain chain = chainOf(settingsOf(profile), {.held = Held::byMotor, .drive = poseOf(1e4, 1e4)});
+        ArmChain chain = motorJointChainOf(settingsOf(profile), {.held = Held::byMotor, .drive = poseOf(1e4, 1e4)});
         runFor(chain.world, 5);
         EXPECT_NEAR(chain.tipHeight(), 0, 1e-6) << profileName(profile);
         EXPECT_LT(fastestTip(chain, 1), 1e-6) << profileName(profile);
@@ -226,7 +226,7 @@ TEST(MotorJointChain, ArmsOnABaseThatStandsHold) {
         const double height = world.position(before).y;
         runFor(world, 10);
         EXPECT_NEAR(world.position(before).y, height, 1e-3) << tip;
-        const double torque = staticTorque({.bars = 3, .tip = tip});
+        const double torque = torqueAtRest({.bars = 3, .tip = tip});
         EXPECT_NEAR(std::fabs(static_cast<double>(world.jointTorque(motors[0]))), torque, 1e-2 * torque) << tip;
     }
 }
@@ -234,7 +234,7 @@ TEST(MotorJointChain, ArmsOnABaseThatStandsHold) {
 /// The middle joint goes up by a radian in a second, and stays there.
 TEST(MotorJointChain, ArmsFollowATargetThatMoves) {
     for (const Profile profile : {Profile::accurate, Profile::fast}) {
-        Chain chain = chainOf(settingsOf(profile), {.bars = 3, .tip = 5, .drive = holdOf(1e5)});
+        ArmChain chain = motorJointChainOf(settingsOf(profile), {.bars = 3, .tip = 5, .drive = holdOf(1e5)});
         double largest = 0;
         for (int step = 1; step <= 600; ++step) {
             MotorDrive drive = holdOf(1e5);
@@ -257,7 +257,7 @@ TEST(MotorJointChain, ArmsFollowATargetThatMoves) {
 TEST(MotorJointChain, WeakMotorsGiveWayAsForces) {
     for (const Profile profile : {Profile::accurate, Profile::fast}) {
         constexpr double kTorque = kBarWeight / 2;
-        Chain chain = chainOf(settingsOf(profile), {.drive = holdOf(kTorque)});
+        ArmChain chain = motorJointChainOf(settingsOf(profile), {.drive = holdOf(kTorque)});
         const double mass = kBarWeight / kGravity;
         const double inertia = mass * (4 + 0.16) / 12 + mass;
         double angle = 0;

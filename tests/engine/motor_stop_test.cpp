@@ -8,7 +8,7 @@
 namespace swept::test {
 namespace {
 
-constexpr double kPart = 1.0 / 64;  ///< of the size, or radians, that a limit may give
+constexpr double kPartOfSize = 1.0 / 64;  ///< of the size, or radians, that a limit may give
 
 struct Rate {
     Profile profile;
@@ -23,7 +23,7 @@ World worldAt(const Rate& rate) {
     return makeWorld(settings);
 }
 
-std::string nameOf(const Rate& rate, double torque) {
+std::string stopCase(const Rate& rate, double torque) {
     return profileName(rate.profile) + ", dt " + std::to_string(rate.dt) + ", times " + std::to_string(torque);
 }
 
@@ -46,8 +46,8 @@ TEST(MotorStop, FlippersStopAtTheirLimits) {
                     run(world, 1, rate.dt);
                     farthest = std::max(farthest, way * world.jointAngle(hinge));
                 }
-                EXPECT_NEAR(way * world.jointAngle(hinge), 0.5, 1e-3) << nameOf(rate, strength);
-                EXPECT_LT(farthest, 0.5 + 3 * kPart) << nameOf(rate, strength);
+                EXPECT_NEAR(way * world.jointAngle(hinge), 0.5, 1e-3) << stopCase(rate, strength);
+                EXPECT_LT(farthest, 0.5 + 3 * kPartOfSize) << stopCase(rate, strength);
             }
         }
     }
@@ -68,8 +68,8 @@ TEST(MotorStop, SlidersStopAtTheirLimits) {
             for (const double way : {1.0, -1.0}) {
                 must(world.setLinearMotor(slider, LinearMotor{real(3 * way), real(strength * weight)}));
                 run(world, 60, rate.dt);
-                EXPECT_NEAR(world.jointTranslation(slider), way > 0 ? 0.2 : -0.1, 0.1 * kPart)
-                    << nameOf(rate, strength);
+                EXPECT_NEAR(world.jointTranslation(slider), way > 0 ? 0.2 : -0.1, 0.1 * kPartOfSize)
+                    << stopCase(rate, strength);
             }
         }
     }

@@ -15,7 +15,7 @@ namespace swept::test {
 namespace {
 
 constexpr Filter kNothing{.mask = 0};
-constexpr int kSecond = 60;  // steps
+constexpr int kStepsASecond = 60;  // steps
 
 /// Planks of 2 m from bank to bank, each end of which hangs on a cable of rods.
 std::vector<BodyId> suspensionBridge(World& world, int count) {
@@ -101,13 +101,13 @@ TEST(Nets, BridgesBearWhatTouchesThem) {
     for (const int panels : {3, 6, 9}) {
         Truss truss(panels);
         World& world = truss.world;
-        run(world, 2 * kSecond);
+        run(world, 2 * kStepsASecond);
         const double atRest = truss.largestForce();
         for (const JointId id : truss.hinges) { must(world.setBreakLimits(id, real(1.1 * atRest), {})); }
         const BodyId pebble =
             addBody(world, dynamicAt({panels + 0.3, 0.3}), circle(0.1), {.density = 3.18F, .filter = {.category = 4}});
         double largest = 0;
-        for (int i = 0; i < 5 * kSecond; ++i) {
+        for (int i = 0; i < 5 * kStepsASecond; ++i) {
             must(world.step(kStep));
             ASSERT_TRUE(world.jointBreaks().empty()) << panels << " panels, step " << i;
             largest = std::max(largest, truss.largestForce());
@@ -132,7 +132,7 @@ TEST(Nets, LongTrussesStandHoweverLong) {
             DistanceJointDef{.base = between(truss.nodes[static_cast<std::size_t>(panels / 2)], weight),
                              .anchorA = pin,
                              .anchorB = place}));
-        for (int i = 0; i < 2 * kSecond; ++i) {
+        for (int i = 0; i < 2 * kStepsASecond; ++i) {
             must(world.step(kStep));
             for (std::size_t k = 0; k < truss.nodes.size(); ++k) {
                 const DVec2 moved = world.position(truss.nodes[k]) - truss.places[k];
@@ -149,10 +149,10 @@ TEST(Nets, SuspensionBridgesComeToRest) {
     World world = makeWorld();
     const std::vector<BodyId> planks = suspensionBridge(world, 33);
     const BodyId middle = planks[planks.size() / 2];
-    run(world, 100 * kSecond);
+    run(world, 100 * kStepsASecond);
     double lowest = world.position(middle).y;
     double highest = lowest;
-    for (int i = 0; i < 10 * kSecond; ++i) {
+    for (int i = 0; i < 10 * kStepsASecond; ++i) {
         must(world.step(kStep));
         lowest = std::min(lowest, world.position(middle).y);
         highest = std::max(highest, world.position(middle).y);
@@ -181,9 +181,9 @@ TEST(Nets, WhatHangsOnThreeRopesComesToRest) {
             before = next;
         }
     }
-    run(world, 60 * kSecond);
+    run(world, 60 * kStepsASecond);
     double strongest = 0;
-    for (int i = 0; i < 30 * kSecond; ++i) {
+    for (int i = 0; i < 30 * kStepsASecond; ++i) {
         must(world.step(kStep));
         double force = 0;
         for (const JointId joint : last) { force += static_cast<double>(world.jointForce(joint).y); }
@@ -193,7 +193,7 @@ TEST(Nets, WhatHangsOnThreeRopesComesToRest) {
 }
 
 /// A chassis on two driven wheels, and a belt of hinged plates around them.
-struct Tank {
+struct TankOnNet {
     static constexpr int kPlates = 30;
     static constexpr double kAxles = 2.4;    ///< metres from each other
     static constexpr double kRadius = 0.56;  ///< of the middle of the belt
@@ -204,7 +204,7 @@ struct Tank {
     std::vector<JointId> axles;
     std::vector<BodyId> plates;
 
-    Tank() {
+    TankOnNet() {
         addStatic(world, box(200, 1), {.friction = 1}, {0, -1});
         chassis = addBody(world, dynamicAt({0, kRadius + 0.3}), box(1.2, 0.25),
                           {.density = 100, .filter = {.category = 8, .mask = 1}});
@@ -248,11 +248,11 @@ struct Tank {
 /// A belt that nothing ties to the ground has as many joints as bodies, like a chain that hangs on a post, and yet
 /// closes a loop. (Solved as a chain it buzzed at metres a second for ever, and drove at a third of the speed.)
 TEST(Nets, TanksDriveOnTheirTracks) {
-    Tank tank;
-    run(tank.world, 10 * kSecond);
+    TankOnNet tank;
+    run(tank.world, 10 * kStepsASecond);
     EXPECT_GT(velocityOf(tank.world, tank.chassis).x, 2.5);
     for (const JointId axle : tank.axles) { must(tank.world.setAngularMotor(axle, AngularMotor{0, 800})); }
-    run(tank.world, 20 * kSecond);
+    run(tank.world, 20 * kStepsASecond);
     for (const BodyId plate : tank.plates) { EXPECT_LT(length(velocityOf(tank.world, plate)), 1e-3); }
 }
 
@@ -295,7 +295,7 @@ TEST(Nets, BeginABlowWithoutWhatClosedTheirGaps) {
         const double start = energyOf(world, bodies, kGravity) + base;
         double most = start;
         double widest = 0;
-        for (int step = 0; step < 2 * kSecond; ++step) {
+        for (int step = 0; step < 2 * kStepsASecond; ++step) {
             run(world, 1);
             most = std::max(most, energyOf(world, bodies, kGravity) + base);
             for (const JointId joint : joints) {
@@ -339,7 +339,7 @@ std::vector<DVec2> waysOfStruckNet(std::uint64_t seed, double size) {
     }
     std::vector<DVec2> places;
     for (int i = 0; i < 6; ++i) {
-        run(world, kSecond / 2);
+        run(world, kStepsASecond / 2);
         for (const BodyId body : bodies) { places.push_back(1 / size * world.position(body)); }
     }
     return places;

@@ -55,7 +55,7 @@ std::set<Touch> touchesOf(const World& world) {
 }
 
 /// Who touches as the events tell, which is less than who has contact points.
-void follow(std::set<Touch>& touching, std::span<const ContactEvent> events) {
+void followEvents(std::set<Touch>& touching, std::span<const ContactEvent> events) {
     for (const ContactEvent& event : events) {
         const Touch touch = touchOf(event.shapeA, event.shapeB);
         if (event.type == ContactEventType::begin) {
@@ -85,7 +85,7 @@ TEST_P(Removal, TakesItsContactsAndNoOthers) {
         };
         for (int step = 0; step < 90 || (sleeps && sleeping() < 20 && step < 2000); ++step) {
             run(pit.world, 1);
-            follow(touching, pit.world.contactEvents());
+            followEvents(touching, pit.world.contactEvents());
         }
         EXPECT_EQ(sleeps, sleeping() > 0);
         std::mt19937 random(seed);
@@ -116,7 +116,7 @@ TEST_P(Removal, TakesItsContactsAndNoOthers) {
         EXPECT_EQ(pit.world.contactEvents().data(), told.data());
         EXPECT_EQ(pit.world.contactEvents().size(), told.size());
         run(pit.world, 1);
-        follow(touching, pit.world.contactEvents());
+        followEvents(touching, pit.world.contactEvents());
         EXPECT_EQ(touching, without(touching, doomed));
         // The gaps are closed, and slots are used again.
         for (std::size_t n = 0; n < pit.bodies.size(); ++n) {

@@ -7,7 +7,7 @@
 namespace swept::test {
 namespace {
 
-constexpr double kRadius = 0.5;
+constexpr double kRollRadius = 0.5;
 constexpr double kInertiaShare = 1.5;  // of a disk that rolls
 
 ShapeDef rough(double resistance, double friction = 1, double restitution = 0) {
@@ -22,7 +22,7 @@ World rollingWorld(Profile profile, bool sleep = false) {
     return makeWorld(settings);
 }
 
-BodyId addRolling(World& world, DVec2 position, double speed, const ShapeDef& surface, double radius = kRadius) {
+BodyId addRolling(World& world, DVec2 position, double speed, const ShapeDef& surface, double radius = kRollRadius) {
     return addBody(world, dynamicAt(position, vec(speed, 0), -speed / radius), circle(radius), surface);
 }
 
@@ -36,10 +36,10 @@ struct Rolled {
 Rolled roll(Profile profile, const ShapeDef& ground, const ShapeDef& ball, double speed) {
     World world = rollingWorld(profile);
     addStatic(world, box(1000, 1), ground, {0, -1});
-    const BodyId body = addRolling(world, {0, kRadius}, speed, ball);
+    const BodyId body = addRolling(world, {0, kRollRadius}, speed, ball);
     runFor(world, 2);
     const double now = velocityOf(world, body).x;
-    return {std::abs(speed) - std::abs(now), spinOf(world, body) * kRadius + now, std::abs(world.position(body).x)};
+    return {std::abs(speed) - std::abs(now), spinOf(world, body) * kRollRadius + now, std::abs(world.position(body).x)};
 }
 
 /// Whichever of both surfaces is rough, and where it may bounce, too. What is fast turns by radians in a step, and
@@ -83,7 +83,7 @@ TEST(Rolling, SlowsDownOverSeams) {
             } else {
                 for (int i = 0; i < 40; ++i) { addStatic(world, box(0.5, 0.5), rough(0), {-20.0 + i, -0.5}); }
             }
-            const BodyId ball = addRolling(world, {0.1, kRadius}, 3, rough(0.06));
+            const BodyId ball = addRolling(world, {0.1, kRollRadius}, 3, rough(0.06));
             runFor(world, 2);
             const std::string name = profileName(profile) + ", " + (isChain ? "chain, " : "boxes, ");
             expectAtMost(name + "lost", std::abs((3 - velocityOf(world, ball).x) / (2 * brake) - 1), 0.01);
@@ -99,7 +99,7 @@ TEST(Rolling, StopsABall) {
         for (const bool sleeps : {true, false}) {
             World world = rollingWorld(profile, sleeps);
             addStatic(world, box(50, 1), rough(0), {0, -1});
-            const BodyId ball = addRolling(world, {0, kRadius}, 2, rough(resistance));
+            const BodyId ball = addRolling(world, {0, kRollRadius}, 2, rough(resistance));
             runFor(world, 2 / brake + 2);
             EXPECT_EQ(world.isAwake(ball), !sleeps);
             expectAtMost(profileName(profile) + ", speed", length(velocityOf(world, ball)), sleeps ? 0 : 1e-6);
@@ -112,9 +112,9 @@ TEST(Rolling, StopsABall) {
     }
 }
 
-BodyId onSlope(World& world, double tilt, const ShapeDef& surface, const Polygon& polygon = circle(kRadius)) {
+BodyId onSlope(World& world, double tilt, const ShapeDef& surface, const Polygon& polygon = circle(kRollRadius)) {
     addStatic(world, box(200, 1), material(1), turned({0, -1}, tilt), tilt);
-    BodyDef def = dynamicAt(turned({0, kRadius}, tilt));
+    BodyDef def = dynamicAt(turned({0, kRollRadius}, tilt));
     def.angle = tilt;
     return addBody(world, def, polygon, surface);
 }
@@ -204,8 +204,8 @@ TEST(Rolling, ChangesAtOnce) {
 TEST(Rolling, DoesNothingInTheAir) {
     World rolls = makeWorld();
     World smooth = makeWorld();
-    const BodyId a = addBody(rolls, dynamicAt({0, 100}, vec(3, 1), 7), circle(kRadius), rough(1));
-    const BodyId b = addBody(smooth, dynamicAt({0, 100}, vec(3, 1), 7), circle(kRadius), rough(0));
+    const BodyId a = addBody(rolls, dynamicAt({0, 100}, vec(3, 1), 7), circle(kRollRadius), rough(1));
+    const BodyId b = addBody(smooth, dynamicAt({0, 100}, vec(3, 1), 7), circle(kRollRadius), rough(0));
     runFor(rolls, 2);
     runFor(smooth, 2);
     EXPECT_EQ(spinOf(rolls, a), 7);
@@ -283,7 +283,7 @@ TEST(Rolling, SlowsDownAHeavyBallOnALightPlank) {
         addBody(world, dynamicAt({0, 0.1}), box(10, 0.1), material(4, 0, 0.2));
         ShapeDef heavy = rough(0.1);
         heavy.density = 10;
-        const BodyId ball = addRolling(world, {-5, 0.2 + kRadius}, 3, heavy);
+        const BodyId ball = addRolling(world, {-5, 0.2 + kRollRadius}, 3, heavy);
         runFor(world, 2);
         EXPECT_EQ(world.counters().directBodies, 0u);
         const double brake = 0.1 * kGravity / kInertiaShare;
@@ -301,14 +301,14 @@ TEST(Rolling, SlowsDownACart) {
         double carried = world.mass(chassis);
         double moved = carried;
         for (const double x : {-0.8, 0.8}) {
-            const BodyId wheel = addRolling(world, {x, kRadius}, 3, rough(0.08));
+            const BodyId wheel = addRolling(world, {x, kRollRadius}, 3, rough(0.08));
             RevoluteJointDef hinge;
             hinge.base.bodyA = chassis;
             hinge.base.bodyB = wheel;
-            hinge.anchor = {x, kRadius};
+            hinge.anchor = {x, kRollRadius};
             must(world.createJoint(hinge));
             carried += world.mass(wheel);
-            moved += world.mass(wheel) + world.inertia(wheel) / (kRadius * kRadius);
+            moved += world.mass(wheel) + world.inertia(wheel) / (kRollRadius * kRollRadius);
         }
         runFor(world, 2);
         const double brake = 0.08 * kGravity * carried / moved;
@@ -324,7 +324,7 @@ TEST(Rolling, IsCarriedByABelt) {
         ShapeDef belt = rough(0);
         belt.surfaceSpeed = 2;
         addStatic(world, box(100, 1), belt, {0, -1});
-        const BodyId disk = addBody(world, dynamicAt({0, kRadius}), circle(kRadius), rough(0.1));
+        const BodyId disk = addBody(world, dynamicAt({0, kRollRadius}), circle(kRollRadius), rough(0.1));
         runFor(world, 6);
         expectAtMost(profileName(profile) + ", speed", std::abs(velocityOf(world, disk).x / 2 - 1), 1e-3);
         expectAtMost(profileName(profile) + ", spin", std::abs(spinOf(world, disk)), 1e-3);

@@ -12,7 +12,7 @@ constexpr double kSpan = 0.5;
 
 enum class Ground { chain, segments, tiles };
 
-void addGround(World& world, Ground ground, int seams) {
+void addSeamedGround(World& world, Ground ground, int seams) {
     if (ground == Ground::chain) {
         std::vector<Vec2> points;  // ground is listed from right to left
         for (int i = seams + 10; i >= -10; --i) { points.push_back(vec(i * kSpan, 0)); }
@@ -43,9 +43,9 @@ Ride ride(Ground ground, const Polygon& polygon, double height, double speed, do
     // As many as it passes in 20 s.
     const int seams = static_cast<int>(std::min<double>(kSeams, 20 * speed / kSpan));
     World world = makeWorld();
-    if (!bodyFirst) { addGround(world, ground, seams); }
+    if (!bodyFirst) { addSeamedGround(world, ground, seams); }
     const BodyId body = addBody(world, dynamicAt({start, height}, vec(speed, 0)), polygon, material(0));
-    if (bodyFirst) { addGround(world, ground, seams); }
+    if (bodyFirst) { addSeamedGround(world, ground, seams); }
     Ride result;
     while (world.position(body).x < seams * kSpan && result.lost < 0.5) {
         must(world.step(kStep));

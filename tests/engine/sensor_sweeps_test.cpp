@@ -8,7 +8,7 @@
 namespace swept::test {
 namespace {
 
-WorldSettings settingsOf(ContinuousMode mode, double gravity = 0) {
+WorldSettings sweepSettings(ContinuousMode mode, double gravity = 0) {
     WorldSettings settings = awakeSettings(gravity);
     settings.continuous = mode;
     return settings;
@@ -28,7 +28,7 @@ std::vector<ContactEvent> sensorEventsOf(const World& world) {
     return events;
 }
 
-ShapeDef sensorDef() {
+ShapeDef sweptSensorDef() {
     ShapeDef def;
     def.sensor = true;
     return def;
@@ -38,8 +38,8 @@ ShapeDef sensorDef() {
 TEST(SensorSweeps, SeeWhatPassesWithinAStep) {
     for (const ContactMode mode : {ContactMode{ContinuousMode::subStep, 2}, ContactMode{ContinuousMode::stop, 2},
                                    ContactMode{ContinuousMode::off, 0}}) {
-        World world = makeWorld(settingsOf(mode.mode));
-        const BodyId gate = addStatic(world, box(0.1, 1), sensorDef());
+        World world = makeWorld(sweepSettings(mode.mode));
+        const BodyId gate = addStatic(world, box(0.1, 1), sweptSensorDef());
         const BodyId ball = addBody(world, dynamicAt({-1, 0}, vec(120, 0)), circle(0.1));
         run(world, 1);
         const std::vector<ContactEvent> events = sensorEventsOf(world);
@@ -64,7 +64,7 @@ TEST(SensorSweeps, SeeWhatPassesWithinAStep) {
 /// To a wall and back through the same gate in one step: the way is followed from impact to impact.
 TEST(SensorSweeps, FollowTheWayThroughItsImpacts) {
     World world = makeWorld(0);
-    addStatic(world, box(0.1, 1), sensorDef());
+    addStatic(world, box(0.1, 1), sweptSensorDef());
     addStatic(world, segment(0.6, -1, 0.6, 1), material(0, 1));
     const BodyId ball = addBody(world, dynamicAt({-0.5, 0}, vec(120, 0)), circle(0.1), material(0, 1));
     run(world, 1);
@@ -83,15 +83,16 @@ TEST(SensorSweeps, WhatBeginsEnds) {
     Random random(12);
     std::size_t seen = 0;
     for (int round = 0; round < 48; ++round) {
-        World world = makeWorld(settingsOf(round % 2 == 0 ? ContinuousMode::subStep : ContinuousMode::stop, kGravity));
+        World world =
+            makeWorld(sweepSettings(round % 2 == 0 ? ContinuousMode::subStep : ContinuousMode::stop, kGravity));
         for (const double side : {-1.0, 1.0}) {
             addStatic(world, segment(2 * side, -2, 2 * side, 2), material(0.2, 0.9));
             addStatic(world, segment(-2, 2 * side, 2, 2 * side), material(0.2, 0.9));
         }
-        addStatic(world, box(0.05, 0.8), sensorDef(), {0, 0}, random.range(0, 3));
+        addStatic(world, box(0.05, 0.8), sweptSensorDef(), {0, 0}, random.range(0, 3));
         BodyDef def = bodyAt(BodyType::kinematic, {0.9, 0});
         def.angularVelocity = 40;
-        addBody(world, def, box(0.7, 0.02), sensorDef());
+        addBody(world, def, box(0.7, 0.02), sweptSensorDef());
         for (int i = 0; i < 3; ++i) {
             const double speed = random.range(5, 300);
             const double aim = random.range(0, 2 * kPi);
@@ -126,7 +127,7 @@ TEST(SensorSweeps, CostNothingWithoutSensorsOrSpeed) {
     addBody(world, dynamicAt({-1, 0}, vec(120, 0)), circle(0.1));
     run(world, 1);
     EXPECT_EQ(world.counters().sensorSweeps + world.counters().toiCalls, 0U);
-    const BodyId gate = addStatic(world, box(1, 1), sensorDef(), {9, 0});
+    const BodyId gate = addStatic(world, box(1, 1), sweptSensorDef(), {9, 0});
     addBody(world, dynamicAt({8, 0}, vec(1, 0)), circle(0.1));
     run(world, 2);
     EXPECT_EQ(world.counters().sensorSweeps, 0U);
@@ -135,13 +136,13 @@ TEST(SensorSweeps, CostNothingWithoutSensorsOrSpeed) {
 
 TEST(SensorSweeps, SeeWhatPassesAChain) {
     for (const bool isChain : {false, true}) {
-        World world = makeWorld(settingsOf(ContinuousMode::subStep));
+        World world = makeWorld(sweepSettings(ContinuousMode::subStep));
         const BodyId gate = must(world.createBody({}));
         const std::array points{vec(0, -2), vec(0, 0), vec(0, 2)};
         if (isChain) {
-            must(world.addChain(gate, points, false, sensorDef()));
+            must(world.addChain(gate, points, false, sweptSensorDef()));
         } else {
-            must(world.addShape(gate, segment(0, -2, 0, 2), sensorDef()));
+            must(world.addShape(gate, segment(0, -2, 0, 2), sweptSensorDef()));
         }
         addBody(world, dynamicAt({-1, 0}, vec(120, 0)), circle(0.1));
         run(world, 1);
@@ -157,11 +158,11 @@ TEST(SensorSweeps, SeeWhatPassesAChain) {
 /// Both cross in the middle of the step, far from where either began.
 TEST(SensorSweeps, OfFastBodiesSeeFastBodies) {
     for (const BroadphaseKind kind : {BroadphaseKind::automatic, BroadphaseKind::allPairs}) {
-        WorldSettings settings = settingsOf(ContinuousMode::subStep);
+        WorldSettings settings = sweepSettings(ContinuousMode::subStep);
         settings.broadphase = kind;
         World world = makeWorld(settings);
         const BodyId scanner = addBody(world, dynamicAt({-1, 0}, vec(120, 0)), circle(0.05));
-        must(world.addShape(scanner, circle(0.1), sensorDef()));
+        must(world.addShape(scanner, circle(0.1), sweptSensorDef()));
         addBody(world, dynamicAt({0, -1}, vec(0, 120)), circle(0.1));
         run(world, 1);
         const std::vector<ContactEvent> events = sensorEventsOf(world);
@@ -175,12 +176,12 @@ TEST(SensorSweeps, OfFastBodiesSeeFastBodies) {
 /// Wherever their ways lie: in a column, in a row, or all over the place; beside those of others.
 TEST(SensorSweeps, OfManyFastBodiesSeeTheirOwnOnes) {
     for (const DVec2 apart : {DVec2{0, 5}, DVec2{5, 0}, DVec2{3, 4}}) {
-        World world = makeWorld(settingsOf(ContinuousMode::subStep));
+        World world = makeWorld(sweepSettings(ContinuousMode::subStep));
         constexpr int kPairs = 150;
         for (int i = 0; i < kPairs; ++i) {
             const DVec2 place = (i * 37 % kPairs) * apart;
             const BodyId scanner = addBody(world, dynamicAt(place + DVec2{-1, 0}, vec(120, 0)), circle(0.05));
-            must(world.addShape(scanner, circle(0.1), sensorDef()));
+            must(world.addShape(scanner, circle(0.1), sweptSensorDef()));
             addBody(world, dynamicAt(place + DVec2{0, -1}, vec(0, 120)), circle(0.1));
         }
         run(world, 1);
@@ -191,9 +192,9 @@ TEST(SensorSweeps, OfManyFastBodiesSeeTheirOwnOnes) {
 
 /// Thrown up so that it is at the same height at both ends of a step of 0.2 s, and 5 cm higher in its middle.
 TEST(SensorSweeps, SeeTheTopOfAParabola) {
-    WorldSettings settings = settingsOf(ContinuousMode::subStep, kGravity);
+    WorldSettings settings = sweepSettings(ContinuousMode::subStep, kGravity);
     World world = makeWorld(settings);
-    addStatic(world, box(10, 0.1), sensorDef(), {0, 0.33});  // its bottom at 0.23
+    addStatic(world, box(10, 0.1), sweptSensorDef(), {0, 0.33});  // its bottom at 0.23
     addBody(world, dynamicAt({0, 0}, vec(10, 1)), circle(0.2));
     run(world, 1, 0.2);
     const std::vector<ContactEvent> events = sensorEventsOf(world);
@@ -208,8 +209,8 @@ TEST(SensorSweeps, SeeTheTopOfAParabola) {
 TEST(SensorSweeps, NeverTellTheEndBeforeItsBegin) {
     int seen = 0;
     for (int i = 0; i < 400; ++i) {
-        World world = makeWorld(settingsOf(ContinuousMode::subStep));
-        addStatic(world, circle(0.3), sensorDef());
+        World world = makeWorld(sweepSettings(ContinuousMode::subStep));
+        addStatic(world, circle(0.3), sweptSensorDef());
         const bool leaves = i % 4 == 0;
         const double y = 0.4999 + 0.0002 * i / 400;
         addBody(world, leaves ? dynamicAt({0.5, 0}, vec(100, 0)) : dynamicAt({-0.8, y}, vec(100, 0)), circle(0.2));
@@ -239,8 +240,8 @@ TEST(Sensors, OfWhatMovesSeeTheGround) {
         def = dynamicAt({0, 1});
         def.fixedRotation = true;
         const BodyId hero = addBody(world, def, box(0.4, 0.9));
-        const ShapeId foot = must(world.addShape(hero, must(makeBox(vec(0.3, 0.1), vec(0, -0.9))), sensorDef()));
-        const ShapeId head = must(world.addShape(hero, must(makeBox(vec(0.3, 0.1), vec(0, 0.9))), sensorDef()));
+        const ShapeId foot = must(world.addShape(hero, must(makeBox(vec(0.3, 0.1), vec(0, -0.9))), sweptSensorDef()));
+        const ShapeId head = must(world.addShape(hero, must(makeBox(vec(0.3, 0.1), vec(0, 0.9))), sweptSensorDef()));
         std::vector<ContactEvent> events;
         for (int i = 0; i < 150; ++i) {
             if (i == 60) { must(world.setVelocity(hero, vec(0, 4), 0)); }
@@ -270,7 +271,7 @@ TEST(Sensors, OfWhatMovesSeeWallsTheyPass) {
     World world = makeWorld(0);
     const BodyId wall = addStatic(world, box(0.05, 5));
     const BodyId probe = must(world.createBody(dynamicAt({-3, 0}, vec(240, 0))));
-    must(world.addShape(probe, circle(0.1), sensorDef()));
+    must(world.addShape(probe, circle(0.1), sweptSensorDef()));
     run(world, 1);
     const std::vector<ContactEvent> events = sensorEventsOf(world);
     ASSERT_EQ(events.size(), 2U);
@@ -291,8 +292,8 @@ TEST(Sensors, OfWhatMovesSeeWallsTheyPass) {
 TEST(Sensors, OfFixedBodiesSeeNoGround) {
     World world = makeWorld(0);
     addStatic(world, box(5, 0.5));
-    const BodyId gate = addStatic(world, box(1, 1), sensorDef());
-    addStatic(world, box(1, 1), sensorDef(), {0.5, 0});
+    const BodyId gate = addStatic(world, box(1, 1), sweptSensorDef());
+    addStatic(world, box(1, 1), sweptSensorDef(), {0.5, 0});
     run(world, 2);
     EXPECT_TRUE(sensorEventsOf(world).empty());
     EXPECT_EQ(world.counters().contacts, 0U);

@@ -8,12 +8,12 @@
 namespace swept::test {
 namespace {
 
-double armOf(const LowPoint& point) { return static_cast<double>(point.arm); }
+double armTo(const LowPoint& point) { return static_cast<double>(point.arm); }
 double depthOf(const LowPoint& point) { return static_cast<double>(point.depth); }
 
 /// How far a point is above where it is to be afterwards, metres.
 double leftOf(const LowPoint& point, const SetBack& back) {
-    return static_cast<double>(back.along) + armOf(point) * static_cast<double>(back.turn) - depthOf(point);
+    return static_cast<double>(back.along) + armTo(point) * static_cast<double>(back.turn) - depthOf(point);
 }
 
 /// A rod of 2 m and 3 kg on one end: the centre rises by a quarter of what the end does, since a push at the end moves
@@ -50,12 +50,12 @@ TEST(SetBack, IsTheLeastThatRaisesBothPoints) {
             point.arm = real(random.range(-1, 1));
             point.depth = real(random.range(-0.5, 1));
         }
-        if (std::abs(armOf(points[0]) - armOf(points[1])) < 0.1) { continue; }  // as good as one
+        if (std::abs(armTo(points[0]) - armTo(points[1])) < 0.1) { continue; }  // as good as one
         const SetBack back =
             setBackOf(points, {.inverseMass = real(1 / mass), .inverseInertia = real(1 / (mass * radius * radius))}, 0);
         const double along = static_cast<double>(back.along);
         const double push = radius * radius * static_cast<double>(back.turn);
-        const double second = (push - armOf(points[0]) * along) / (armOf(points[1]) - armOf(points[0]));
+        const double second = (push - armTo(points[0]) * along) / (armTo(points[1]) - armTo(points[0]));
         const std::array<double, 2> pushes{along - second, second};
         for (std::size_t k = 0; k < points.size(); ++k) {
             const double limit = kRounding * (1 + 1 / (radius * radius));

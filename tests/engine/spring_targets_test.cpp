@@ -67,13 +67,13 @@ struct Tied {
     JointId joint;
 };
 
-std::string nameOf(Kind kind, Profile profile, bool isFree) {
+std::string targetCase(Kind kind, Profile profile, bool isFree) {
     return "kind " + std::to_string(static_cast<int>(kind)) + ' ' + profileName(profile) + (isFree ? " free" : "");
 }
 
 /// One that was made where its spring pulls to, and put back from there, moves alike.
 void expectAsIfMadeThere(Kind kind, Profile profile, bool isFree) {
-    const std::string name = nameOf(kind, profile, isFree);
+    const std::string name = targetCase(kind, profile, isFree);
     const WorldSettings settings = awakeSettings(profile, isFree ? 0 : kGravity);
     const Spring spring{2, real(0.3)};
     const double target = 0.5;
@@ -108,7 +108,7 @@ TEST(SpringTargets, AreAsIfTheJointHadBeenMadeThere) {
 TEST(SpringTargets, JumpsLetUndampedSpringsSwing) {
     for (const Profile profile : kProfiles) {
         for (const Kind kind : kKinds) {
-            const std::string name = nameOf(kind, profile, false);
+            const std::string name = targetCase(kind, profile, false);
             Tied tied(kind, awakeSettings(profile, 0), {1, 0}, 0, 0, std::nullopt, false);
             run(tied.world, 10);
             expectAtMost(name + " before", std::abs(tied.place()), 1e-6);
@@ -165,7 +165,7 @@ TEST(SpringTargets, OfManyAtOnce) {
                                                          : static_cast<double>(world.jointTranslation(joints[i]));
                 off = std::max(off, std::abs(place - wanted[i]));
             }
-            expectAtMost(nameOf(kind, profile, true), off, 0.003);
+            expectAtMost(targetCase(kind, profile, true), off, 0.003);
         }
     }
 }
@@ -246,7 +246,7 @@ TEST(SpringTargets, ThatAreSetWithoutASpringDoNothing) {
                 set.step();
                 left.step();
             }
-            EXPECT_EQ(set.world.stateHash(), left.world.stateHash()) << nameOf(kind, profile, true);
+            EXPECT_EQ(set.world.stateHash(), left.world.stateHash()) << targetCase(kind, profile, true);
         }
     }
 }
@@ -295,7 +295,7 @@ TEST(SpringTargets, AndLimitsAreSetInAnyOrder) {
         for (const Kind kind : kKinds) {
             for (const double rate : {0.3, 3.0, 10.0, 20.0}) {
                 EXPECT_EQ(hashOfTurned(kind, profile, rate, true), hashOfTurned(kind, profile, rate, false))
-                    << nameOf(kind, profile, true) << ' ' << rate;
+                    << targetCase(kind, profile, true) << ' ' << rate;
             }
         }
     }

@@ -8,7 +8,7 @@
 namespace swept::test {
 namespace {
 
-struct Pile {
+struct StackedPile {
     World world = makeWorld();
     std::vector<BodyId> boxes;
     std::vector<DVec2> places;
@@ -17,7 +17,7 @@ struct Pile {
     double sag = 0;      ///< farthest down at the end, m
     double turn = 0;     ///< largest angle at the end, rad
 
-    Pile() { addStatic(world, box(50, 1), material(0.6), {0, -1}); }
+    StackedPile() { addStatic(world, box(50, 1), material(0.6), {0, -1}); }
     void add(DVec2 place, double density = 1) {
         places.push_back(place);
         boxes.push_back(addBody(world, dynamicAt(place), box(0.5, 0.5), material(0.6, 0, density)));
@@ -43,14 +43,14 @@ struct Pile {
 };
 
 TEST(Stack, TwentyBoxesStand) {
-    Pile pile;
+    StackedPile pile;
     for (int i = 0; i < 20; ++i) { pile.add({0, i + 0.5}); }
     pile.stand();
     pile.expect("", 0.002, 0.005, 0.01);
 }
 
 TEST(Stack, TwentyBoxesDroppedIntoPlaceStand) {
-    Pile pile;
+    StackedPile pile;
     for (int i = 0; i < 20; ++i) { pile.add({0.02 * (i % 2), 1.02 * i + 0.52}); }
     pile.stand();
     expectAtMost("overlap", pile.overlap, 0.005);
@@ -59,7 +59,7 @@ TEST(Stack, TwentyBoxesDroppedIntoPlaceStand) {
 }
 
 TEST(Stack, PyramidStands) {
-    Pile pile;
+    StackedPile pile;
     for (int row = 0; row < 10; ++row) {
         for (int i = 0; i < 10 - row; ++i) { pile.add({1.05 * (i - 0.5 * (9 - row)), row + 0.5}); }
     }
@@ -69,7 +69,7 @@ TEST(Stack, PyramidStands) {
 
 TEST(Stack, HeavyStandsOnLight) {
     for (const int below : {1, 10}) {
-        Pile pile;
+        StackedPile pile;
         for (int i = 0; i < below; ++i) { pile.add({0, i + 0.5}); }
         pile.add({0, below + 0.5}, 10);
         pile.stand();

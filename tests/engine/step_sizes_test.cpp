@@ -91,11 +91,11 @@ TEST(StepSizes, StacksRestInStepsOfSeconds) {
 
 /// Boxes of many sizes that were dropped between two walls, each of those that are hinged to the one beside it, and
 /// lie.
-struct Heap {
+struct HeapInSteps {
     World world = makeWorld();
     std::vector<BodyId> boxes;
 
-    Heap(Profile profile, bool hinged, std::uint64_t seed) {
+    HeapInSteps(Profile profile, bool hinged, std::uint64_t seed) {
         WorldSettings settings = world.settings();
         settings.profile = profile;
         settings.sleep = false;
@@ -135,7 +135,7 @@ TEST(StepSizes, ShorterThanTheOnesBefore) {
         for (const bool hinged : {false, true}) {
             for (std::size_t row = 0; row < rows.size(); ++row) {
                 const std::uint64_t seed = row + 1;
-                Heap heap(profile, hinged, seed);
+                HeapInSteps heap(profile, hinged, seed);
                 const double start = heap.energy();
                 double most = 0;
                 for (std::size_t i = 0; i < 400; ++i) {
@@ -273,7 +273,7 @@ struct SleepingPile {
     /// @param drifters  of many the contacts of the pile stay among those of what is awake
     SleepingPile(Profile profile, bool isHeap, int drifters) {
         if (isHeap) {
-            Heap heap(profile, false, 1);
+            HeapInSteps heap(profile, false, 1);
             world = heap.world;
             boxes = heap.boxes;
         } else {

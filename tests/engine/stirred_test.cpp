@@ -31,7 +31,7 @@ void addTub(World& world, int balls) {
     run(world, 200);
 }
 
-std::string caseOf(double ratio, double value) { return std::to_string(ratio) + " : 1, " + std::to_string(value); }
+std::string stirredCase(double ratio, double value) { return std::to_string(ratio) + " : 1, " + std::to_string(value); }
 
 /// (0.21 to 0.47 m deep, of 0.56, before contacts knew of it.)
 TEST(Stirred, HeavyBallsThrowLightOnesIntoNoOther) {
@@ -40,7 +40,7 @@ TEST(Stirred, HeavyBallsThrowLightOnesIntoNoOther) {
             World world = makeWorld(Profile::accurate);
             addTub(world, balls);
             addBody(world, dynamicAt({0, 0.06 * balls + 1 + height}), circle(1), material(0.6, 0, 300 * 0.28 * 0.28));
-            expectAtMost(std::to_string(balls) + " balls, " + caseOf(300, height), deepestIn(world, 200), 0.15);
+            expectAtMost(std::to_string(balls) + " balls, " + stirredCase(300, height), deepestIn(world, 200), 0.15);
         }
     }
 }
@@ -60,7 +60,7 @@ TEST(Stirred, CarsThrowCratesIntoNoOther) {
             BodyDef car = dynamicAt({-4, 0.8});
             car.velocity = vec(speed, 0);
             addBody(world, car, box(2, 0.75), material(0.1, 0, ratio / 6));
-            expectAtMost(caseOf(ratio, speed), deepestIn(world, 240), 0.05);
+            expectAtMost(stirredCase(ratio, speed), deepestIn(world, 240), 0.05);
         }
     }
 }
@@ -80,7 +80,7 @@ TEST(Stirred, WreckingBallsThrowBricksIntoNoOther) {
         BodyDef ball = dynamicAt({-4, 2});
         ball.velocity = vec(10, 0);
         addBody(world, ball, circle(1), material(0.6, 0, ratio / kPi));
-        expectAtMost(caseOf(ratio, 10), deepestIn(world, 240), 0.08);
+        expectAtMost(stirredCase(ratio, 10), deepestIn(world, 240), 0.08);
     }
 }
 

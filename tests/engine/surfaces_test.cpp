@@ -8,7 +8,7 @@
 namespace swept::test {
 namespace {
 
-Surface rough(double friction) {
+Surface roughSurface(double friction) {
     Surface surface;
     surface.friction = real(friction);
     return surface;
@@ -41,12 +41,12 @@ std::vector<Strip> strips(const std::array<Surface, 3>& surfaces) {
     return {{"open", false, 0, surfaces}, {"loop", true, 0, surfaces}, {"thick", false, 0.1, surfaces}};
 }
 
-std::string nameOf(Profile profile, const Strip& strip) { return profileName(profile) + ", " + strip.name; }
+std::string stripName(Profile profile, const Strip& strip) { return profileName(profile) + ", " + strip.name; }
 
-/// On ice it keeps its speed; ten metres of rough ground take μg from it all the way.
+/// On ice it keeps its speed; ten metres of roughSurface ground take μg from it all the way.
 TEST(Surfaces, SlowABoxWhereTheyAreRough) {
     for (const Profile profile : kProfiles) {
-        for (const Strip& strip : strips({rough(0), rough(0.5), rough(0)})) {
+        for (const Strip& strip : strips({roughSurface(0), roughSurface(0.5), roughSurface(0)})) {
             for (const double way : {1.0, -1.0}) {
                 World world = makeWorld(profile);
                 (void)strip.addTo(world, must(world.createBody({})));
@@ -54,7 +54,7 @@ TEST(Surfaces, SlowABoxWhereTheyAreRough) {
                 const BodyId body =
                     addBody(world, dynamicAt({start, 0.2}, vec(12 * way, 0)), box(0.2, 0.2), material(0.5));
                 runFor(world, 0.25);
-                const std::string name = nameOf(profile, strip) + (way > 0 ? ", right" : ", left");
+                const std::string name = stripName(profile, strip) + (way > 0 ? ", right" : ", left");
                 expectAtMost(name + ", before", std::abs(velocityOf(world, body).x * way / 12 - 1), 1e-4);
                 runFor(world, 1.5);
                 EXPECT_GT((world.position(body).x - (way > 0 ? 20 : 10)) * way, 0.5) << name;
@@ -71,34 +71,34 @@ TEST(Surfaces, SlowABoxWhereTheyAreRough) {
 /// On one that lasts, it comes to rest.
 TEST(Surfaces, StopABoxWhereTheyAreRough) {
     for (const Profile profile : kProfiles) {
-        for (const Strip& strip : strips({rough(0), rough(0.5), rough(0)})) {
+        for (const Strip& strip : strips({roughSurface(0), roughSurface(0.5), roughSurface(0)})) {
             World world = makeWorld(profile);
             (void)strip.addTo(world, must(world.createBody({})));
             const BodyId body = addBody(world, dynamicAt({8, 0.2}, vec(8, 0)), box(0.2, 0.2), material(0.5));
             runFor(world, 3);
             const double stop = 10 + 8 * 8 / (2 * 0.5 * kGravity);
-            expectAtMost(nameOf(profile, strip) + ", way", std::abs(world.position(body).x - stop), 0.05);
-            expectAtMost(nameOf(profile, strip) + ", speed", length(velocityOf(world, body)), 1e-6);
+            expectAtMost(stripName(profile, strip) + ", way", std::abs(world.position(body).x - stop), 0.05);
+            expectAtMost(stripName(profile, strip) + ", speed", length(velocityOf(world, body)), 1e-6);
         }
     }
 }
 
 /// A belt of one segment carries, and leaves what it carried to the ice behind it.
 TEST(Surfaces, CarryWhereTheyAreABelt) {
-    Surface belt = rough(0.5);
+    Surface belt = roughSurface(0.5);
     belt.surfaceSpeed = 3;
     for (const Profile profile : kProfiles) {
-        for (const Strip& strip : strips({rough(0), belt, rough(0)})) {
+        for (const Strip& strip : strips({roughSurface(0), belt, roughSurface(0)})) {
             World world = makeWorld(profile);
             (void)strip.addTo(world, must(world.createBody({})));
             const BodyId body = addBody(world, dynamicAt({12, 0.2}), box(0.2, 0.2), material(0.5));
             const BodyId aside = addBody(world, dynamicAt({5, 0.2}), box(0.2, 0.2), material(0.5));
             runFor(world, 1);
-            expectAtMost(nameOf(profile, strip) + ", carried", std::abs(velocityOf(world, body).x / 3 - 1), 1e-3);
+            expectAtMost(stripName(profile, strip) + ", carried", std::abs(velocityOf(world, body).x / 3 - 1), 1e-3);
             runFor(world, 4);
-            EXPECT_GT(world.position(body).x, 21) << nameOf(profile, strip);
-            expectAtMost(nameOf(profile, strip) + ", behind", std::abs(velocityOf(world, body).x / 3 - 1), 2e-3);
-            expectAtMost(nameOf(profile, strip) + ", aside", std::abs(velocityOf(world, aside).x), 1e-6);
+            EXPECT_GT(world.position(body).x, 21) << stripName(profile, strip);
+            expectAtMost(stripName(profile, strip) + ", behind", std::abs(velocityOf(world, body).x / 3 - 1), 2e-3);
+            expectAtMost(stripName(profile, strip) + ", aside", std::abs(velocityOf(world, aside).x), 1e-6);
         }
     }
 }
@@ -119,7 +119,7 @@ TEST(Surfaces, BounceAsEachSegmentDoes) {
                 run(world, speed > 100 ? 2 : 40);
                 for (std::size_t i = 0; i < balls.size(); ++i) {
                     const double back = velocityOf(world, balls[i]).y / (speed * kBounces[i]);
-                    expectAtMost(nameOf(profile, strip) + ", " + std::to_string(speed) + ", " + std::to_string(i),
+                    expectAtMost(stripName(profile, strip) + ", " + std::to_string(speed) + ", " + std::to_string(i),
                                  std::abs(back - 1), 1e-3);
                 }
             }
@@ -129,48 +129,48 @@ TEST(Surfaces, BounceAsEachSegmentDoes) {
 
 /// A disc that rolls is slowed by two thirds of c·g.
 TEST(Surfaces, ResistRollingWhereTheyDo) {
-    Surface grass = rough(1);
+    Surface grass = roughSurface(1);
     grass.rollingResistance = real(0.06);
     for (const Profile profile : kProfiles) {
-        for (const Strip& strip : strips({rough(1), grass, rough(1)})) {
+        for (const Strip& strip : strips({roughSurface(1), grass, roughSurface(1)})) {
             World world = makeWorld(profile);
             (void)strip.addTo(world, must(world.createBody({})));
             const BodyId ball = addBody(world, dynamicAt({6, 0.5}, vec(5, 0), -10), circle(0.5), material(1));
             runFor(world, 0.5);
-            expectAtMost(nameOf(profile, strip) + ", before", std::abs(velocityOf(world, ball).x / 5 - 1), 1e-3);
+            expectAtMost(stripName(profile, strip) + ", before", std::abs(velocityOf(world, ball).x / 5 - 1), 1e-3);
             runFor(world, 3.5);
-            EXPECT_GT(world.position(ball).x, 20.5) << nameOf(profile, strip);
+            EXPECT_GT(world.position(ball).x, 20.5) << stripName(profile, strip);
             const double left = std::sqrt(5 * 5 - 2 * (2.0 / 3) * 0.06 * kGravity * 10);
-            expectAtMost(nameOf(profile, strip) + ", behind", std::abs(velocityOf(world, ball).x / left - 1), 5e-3);
+            expectAtMost(stripName(profile, strip) + ", behind", std::abs(velocityOf(world, ball).x / left - 1), 5e-3);
         }
     }
 }
 
 /// Ice whose rule is `minimum`, in the middle of ground that mixes as usual.
 TEST(Surfaces, MixByTheirOwnRules) {
-    Surface ice = rough(0.04);
+    Surface ice = roughSurface(0.04);
     ice.frictionMixing = MixingRule::minimum;
     for (const Profile profile : kProfiles) {
-        for (const Strip& strip : strips({rough(0.04), ice, rough(0.04)})) {
+        for (const Strip& strip : strips({roughSurface(0.04), ice, roughSurface(0.04)})) {
             World world = makeWorld(profile);
             (void)strip.addTo(world, must(world.createBody({})));
             const BodyId onIce = addBody(world, dynamicAt({12, 0.2}, vec(4, 0)), box(0.2, 0.2), material(1));
             const BodyId beside = addBody(world, dynamicAt({-9, 0.2}, vec(4, 0)), box(0.2, 0.2), material(1));
             runFor(world, 1);
             const auto brake = [&](BodyId body) { return (4 - velocityOf(world, body).x) / kGravity; };
-            expectAtMost(nameOf(profile, strip) + ", ice", std::abs(brake(onIce) / 0.04 - 1), 5e-3);
-            expectAtMost(nameOf(profile, strip) + ", beside", std::abs(brake(beside) / 0.2 - 1), 5e-3);
+            expectAtMost(stripName(profile, strip) + ", ice", std::abs(brake(onIce) / 0.04 - 1), 5e-3);
+            expectAtMost(stripName(profile, strip) + ", beside", std::abs(brake(beside) / 0.2 - 1), 5e-3);
         }
     }
 }
 
 /// Two boxes asleep on a slope of 30° that their friction holds, on two of the segments of one chain.
-struct OnSlope {
+struct SurfaceOnSlope {
     World world;
     ShapeId slope;
     std::array<BodyId, 2> boxes;
 
-    OnSlope() {
+    SurfaceOnSlope() {
         WorldSettings settings = awakeSettings();
         settings.sleep = true;
         world = makeWorld(settings);
@@ -194,11 +194,11 @@ struct OnSlope {
 };
 
 TEST(Surfaces, WakeWhatTouchesThemAndNobodyElse) {
-    OnSlope s;
+    SurfaceOnSlope s;
     Surface first = s.world.surface(s.slope, 0);
     first.material = 7;
     must(s.world.setSurface(s.slope, 0, first));
-    must(s.world.setSurface(s.slope, 1, rough(0.1)));
+    must(s.world.setSurface(s.slope, 1, roughSurface(0.1)));
     EXPECT_FALSE(s.world.isAwake(s.boxes[0]) || s.world.isAwake(s.boxes[1])) << "nothing that acts is another there";
     first.friction = real(0.04);
     must(s.world.setSurface(s.slope, 0, first));
@@ -238,7 +238,7 @@ TEST(Surfaces, AreReadBack) {
     World world = makeWorld();
     const BodyId ground = must(world.createBody({}));
     const std::array points{vec(3, 0), vec(2, 0), vec(1, 0), vec(0, 0)};
-    std::array surfaces{rough(0.1), bouncy(0.5), rough(0.3)};
+    std::array surfaces{roughSurface(0.1), bouncy(0.5), roughSurface(0.3)};
     surfaces[2].material = 1234567890123456789U;
     ShapeDef def = material(0.9);
     def.userData = 5;
@@ -280,10 +280,10 @@ TEST(Surfaces, AreReadBack) {
     // Other shapes have one.
     const ShapeId block = must(world.addShape(ground, box(1, 1), material(0.4)));
     EXPECT_EQ(world.segmentCount(block), 1U);
-    EXPECT_EQ(world.surface(block), rough(0.4));
-    must(world.setSurface(block, 0, rough(0.2)));
+    EXPECT_EQ(world.surface(block), roughSurface(0.4));
+    must(world.setSurface(block, 0, roughSurface(0.2)));
     EXPECT_EQ(world.definition(block).friction, real(0.2));
-    must(world.setSurfaces(block, std::array{rough(0.5)}));
+    must(world.setSurfaces(block, std::array{roughSurface(0.5)}));
     EXPECT_EQ(world.surface(block).friction, real(0.5));
     must(world.destroyShape(chain));
     EXPECT_EQ(world.segmentCount(chain), 0U);
@@ -291,11 +291,11 @@ TEST(Surfaces, AreReadBack) {
     EXPECT_EQ(world.surface(block).friction, real(0.5));
 }
 
-/// What slides from ice to rough ground goes on with the same bits in a copy, and in what was saved.
+/// What slides from ice to roughSurface ground goes on with the same bits in a copy, and in what was saved.
 TEST(Surfaces, AreCopiedAndSaved) {
     for (const Profile profile : kProfiles) {
         World world = makeWorld(profile);
-        const Strip strip = strips({rough(0), rough(0.5), rough(0.1)}).front();
+        const Strip strip = strips({roughSurface(0), roughSurface(0.5), roughSurface(0.1)}).front();
         (void)strip.addTo(world, must(world.createBody({})));
         (void)addBody(world, dynamicAt({5, 0.2}, vec(12, 0)), box(0.2, 0.2), material(0.5));
         (void)addBody(world, dynamicAt({30, 0.5}, vec(-6, 0)), circle(0.5), material(0.5));
@@ -317,7 +317,7 @@ Surface changed(Surface surface, void (*change)(Surface&)) {
 /// Nothing of them is taken, not even what is good of several.
 TEST(Surfaces, ThatAreNoneAreRefused) {
     constexpr Real kNan = std::numeric_limits<Real>::quiet_NaN();
-    OnSlope s;
+    SurfaceOnSlope s;
     World& world = s.world;
     const BodyId ground = world.bodyOf(s.slope);
     const ShapeId gone = must(world.addShape(ground, box(1, 1)));
@@ -335,7 +335,7 @@ TEST(Surfaces, ThatAreNoneAreRefused) {
         StatusCode code;
         const char* field;
     };
-    const Surface good = rough(0.3);
+    const Surface good = roughSurface(0.3);
     const std::vector<Fault> faults{
         {changed(good, [](Surface& f) { f.friction = -1; }), StatusCode::negative, "friction"},
         {changed(good, [](Surface& f) { f.friction = kNan; }), StatusCode::notFinite, "friction"},
@@ -381,7 +381,7 @@ TEST(Surfaces, OfALiftChangeWhileItIsAway) {
     const BodyId body = addBody(world, dynamicAt({5, 0.5}, vec(2, 0)), box(0.5, 0.5), material(0.5));
     run(world, 10);
     must(world.setEnabled(lift, false));
-    must(world.setSurface(chain, 0, rough(0.5)));
+    must(world.setSurface(chain, 0, roughSurface(0.5)));
     must(world.setEnabled(lift, true));
     runFor(world, 0.25);
     EXPECT_LT(velocityOf(world, body).x, 1.2);

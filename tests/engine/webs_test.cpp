@@ -93,7 +93,7 @@ Structure stack(int count) {
 
 /// Runs, and holds the structure to its place. First impulses that stand are sought all at once: what begins at rest
 /// and nothing pushes, however weakly, might have them without (load_paths_test.cpp).
-void expectStands(const std::string& name, Structure s, double seconds, double side, double limit) {
+void expectWebStands(const std::string& name, Structure s, double seconds, double side, double limit) {
     for (int i = 0; i < 10; ++i) {
         must(s.world.applyForce(s.bodies[0], vec(1e-12, 0), s.world.centerOfMass(s.bodies[0])));
         run(s.world, 1);
@@ -108,25 +108,25 @@ void expectStands(const std::string& name, Structure s, double seconds, double s
 }
 
 TEST(Webs, CardHousesStand) {
-    expectStands("cards-L4", cards(3, 4, 0.2), 10, 4, 1e-6);
-    expectStands("cards-L0.4", cards(3, 0.4, 0.02), 10, 0.4, 1e-5);
-    expectStands("cards-thin", cards(3, 0.4, 0.002), 3, 0.4, 1e-5);
+    expectWebStands("cards-L4", cards(3, 4, 0.2), 10, 4, 1e-6);
+    expectWebStands("cards-L0.4", cards(3, 0.4, 0.02), 10, 0.4, 1e-5);
+    expectWebStands("cards-thin", cards(3, 0.4, 0.002), 3, 0.4, 1e-5);
 }
 
 TEST(Webs, ArchesStand) {
-    expectStands("arch", arch(5, 6.5), 10, 1.5, 1e-5);
-    expectStands("arch-thin", arch(5, 6), 10, 1, 1e-5);
+    expectWebStands("arch", arch(5, 6.5), 10, 1.5, 1e-5);
+    expectWebStands("arch-thin", arch(5, 6), 10, 1, 1e-5);
 }
 
-TEST(Webs, PyramidOfTwenty) { expectStands("pyramid-20", pyramid(20), 1, 1, 1e-5); }
+TEST(Webs, PyramidOfTwenty) { expectWebStands("pyramid-20", pyramid(20), 1, 1, 1e-5); }
 
 /// As many as just count as high, and sink in by nothing.
-TEST(Webs, ThreeBoxesAreAStack) { expectStands("stack-3", stack(3), 2, 1, 1e-7); }
+TEST(Webs, ThreeBoxesAreAStack) { expectWebStands("stack-3", stack(3), 2, 1, 1e-7); }
 
 TEST(Webs, TallStacks) {
-    expectStands("stack-200", stack(200), 2, 1, 1e-5);
-    expectStands("stack-500", stack(500), 1, 1, 1e-4);
-    expectStands("stack-1000", stack(1000), 0.5, 1, 1e-3);
+    expectWebStands("stack-200", stack(200), 2, 1, 1e-5);
+    expectWebStands("stack-500", stack(500), 1, 1, 1e-4);
+    expectWebStands("stack-1000", stack(1000), 0.5, 1, 1e-3);
 }
 
 /// Twice the lengths, masses or times: the same to the bit, but for those factors.

@@ -3,7 +3,7 @@
 namespace swept::oracle {
 namespace {
 
-IntervalVec exactly(PlainVec v) { return {v.x, v.y}; }
+IntervalVec asInterval(PlainVec v) { return {v.x, v.y}; }
 
 }  // namespace
 
@@ -25,7 +25,7 @@ Turning Turning::mixed(PlainVec from, PlainVec to) {
 }
 
 IntervalVec Turning::mixedAt(Interval fractions) const {
-    return exactly(from_) + fractions * (exactly(to_) - exactly(from_));
+    return asInterval(from_) + fractions * (asInterval(to_) - asInterval(from_));
 }
 
 SinCos Turning::at(double fraction) const {
@@ -46,7 +46,7 @@ Interval Turning::rateOver(Interval fractions) const {
 Interval Turning::rateChangeOver(Interval fractions) const {
     if (isSteady_) { return 0; }
     const IntervalVec p = mixedAt(fractions);
-    const IntervalVec change = exactly(to_) - exactly(from_);
+    const IntervalVec change = asInterval(to_) - asInterval(from_);
     return -2.0 * rateOver(fractions) * dot(p, change) / (square(p.x) + square(p.y));
 }
 

@@ -10,6 +10,8 @@
 #include <swept/samples/runner.h>
 #include <swept/samples/scene_builder.h>
 
+#include "precision_name.h"
+
 /// What touches at the poses that a frame shows, and how deep bodies are in each other there.
 
 namespace swept::test {
@@ -193,10 +195,8 @@ TEST_P(PresentContacts, TellWhichJointGapesMost) {
     EXPECT_LE(report.worstJoint->time, 1.001);
 }
 
-std::string precisionName(const testing::TestParamInfo<Precision>& info) {
-    return info.param == Precision::f32 ? "f32" : "f64";
-}
-INSTANTIATE_TEST_SUITE_P(Precisions, PresentContacts, testing::Values(Precision::f32, Precision::f64), precisionName);
+INSTANTIATE_TEST_SUITE_P(Precisions, PresentContacts, testing::Values(Precision::f32, Precision::f64),
+                         precisionName<testing::TestParamInfo<Precision>>);
 
 }  // namespace
 }  // namespace swept::test

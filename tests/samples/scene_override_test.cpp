@@ -109,14 +109,14 @@ TEST(SceneOverride, TellsOfNamesThatAreNone) {
     EXPECT_NE(tiny.error.reason.find("(1e-999 underflows)"), std::string::npos) << tiny.error.text();
 }
 
-struct Case {
+struct OverrideCase {
     Override change;
     std::string pointer;
     std::string reason;
 };
 
 TEST(SceneOverride, Errors) {
-    const std::vector<Case> cases{
+    const std::vector<OverrideCase> cases{
         {{"/settings/dt", "abc"}, "/settings/dt", "--set /settings/dt=abc: not a JSON value"},
         {{"/settings/continuous", "off"}, "/settings/continuous", "a string needs double quotes: \"off\""},
         {{"/settings/dt", ""}, "/settings/dt", "--set /settings/dt=: not a JSON value"},
@@ -144,7 +144,7 @@ TEST(SceneOverride, Errors) {
         {{"/settings/dt", "0"}, "/settings/dt", "must be greater than 0, not 0"},
         {{"/bodies/1/shapes/0/circle/a~1b", "0"}, "/bodies/1/shapes/0/circle/a~1b", "unknown key \"a/b\""},
     };
-    for (const Case& c : cases) {
+    for (const OverrideCase& c : cases) {
         const SceneResult result = readWith({c.change});
         EXPECT_FALSE(result.scene.has_value()) << c.change.first;
         EXPECT_EQ(result.error.file, "my.json");

@@ -2,6 +2,7 @@
 
 #include <swept/samples/built_in/builtin_scenes.h>
 
+#include "precision_name.h"
 #include "trace_compare.h"
 
 /// The same scene gives the same bits, run after run and whatever finds the pairs.
@@ -9,7 +10,7 @@
 namespace swept::test {
 namespace {
 
-constexpr std::int64_t kSteps = 120;
+constexpr std::int64_t kStepsOfRun = 120;
 constexpr std::int64_t kStepsPerBroadphase = 60;
 constexpr SceneBroadphase kOthers[] = {SceneBroadphase::sortAndSweep, SceneBroadphase::quadtree, SceneBroadphase::grid,
                                        SceneBroadphase::bvh, SceneBroadphase::wideBvh};
@@ -19,8 +20,8 @@ class SceneRepeat : public testing::TestWithParam<Precision> {};
 TEST_P(SceneRepeat, GivesTheSameBits) {
     for (const BuiltinScene& entry : builtinScenes()) {
         const SceneDescription scene = entry.make();
-        const Trace first = runOf(scene, GetParam(), kSteps).trace;
-        const Trace second = runOf(scene, GetParam(), kSteps).trace;
+        const Trace first = runOf(scene, GetParam(), kStepsOfRun).trace;
+        const Trace second = runOf(scene, GetParam(), kStepsOfRun).trace;
         EXPECT_TRUE(first.report.finite) << entry.name;
         EXPECT_EQ(firstDifference(first, second), "") << entry.name;
     }
@@ -47,10 +48,8 @@ TEST_P(SceneRepeat, ComparisonSeesTheSmallestChange) {
     EXPECT_NE(firstDifference(before, after), "");
 }
 
-std::string precisionName(const testing::TestParamInfo<Precision>& info) {
-    return info.param == Precision::f32 ? "f32" : "f64";
-}
-INSTANTIATE_TEST_SUITE_P(Precisions, SceneRepeat, testing::Values(Precision::f32, Precision::f64), precisionName);
+INSTANTIATE_TEST_SUITE_P(Precisions, SceneRepeat, testing::Values(Precision::f32, Precision::f64),
+                         precisionName<testing::TestParamInfo<Precision>>);
 
 }  // namespace
 }  // namespace swept::test

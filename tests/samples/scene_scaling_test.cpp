@@ -20,7 +20,7 @@
 namespace swept::test {
 namespace {
 
-constexpr std::int64_t kSteps = 120;
+constexpr std::int64_t kScaledSteps = 120;
 constexpr std::int64_t kSettlingSteps = 400;  ///< bodies fall asleep, and the piston wakes one of them
 
 #ifdef SWEPT_ALL_UNITS
@@ -83,7 +83,7 @@ void compareAll(Precision precision, std::span<const Units> all) {
     Tally tally;
     for (const BuiltinScene& entry : builtinScenes()) {
         const SceneDescription scene = entry.make();
-        const SceneRun plain = runOf(scene, precision, kSteps);
+        const SceneRun plain = runOf(scene, precision, kScaledSteps);
         compareAll(scene, plain, precision, all, tally);
     }
     const SceneDescription settling = settlingScene();

@@ -6,6 +6,7 @@
 #include <swept/shapes/distance.h>
 #include <swept/shapes/manifold.h>
 
+#include "box2d_vec2.h"
 #include "pair_families.h"
 
 /// Against Box2D 2.4.1, for pairs that are no hard case for either.
@@ -13,9 +14,7 @@
 namespace swept::test {
 namespace {
 
-b2Vec2 toBox2d(Vec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
-
-b2Transform toBox2d(const Transform& t) {
+b2Transform poseInBox2d(const Transform& t) {
     b2Transform pose;
     pose.p = toBox2d(t.translation);
     pose.q.c = static_cast<float>(t.rotation.c);
@@ -23,7 +22,7 @@ b2Transform toBox2d(const Transform& t) {
     return pose;
 }
 
-b2PolygonShape toBox2d(const Polygon& p) {
+b2PolygonShape polygonInBox2d(const Polygon& p) {
     b2PolygonShape shape;
     shape.m_count = p.count;
     shape.m_radius = 0;
@@ -53,13 +52,13 @@ TEST(AgainstBox2d, DistancesAndNormalsAgree) {
     int apart = 0;
     for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
         const PairCase c = stoutPair(seed, 5);
-        const b2PolygonShape a = toBox2d(c.a);
-        const b2PolygonShape b = toBox2d(c.b);
+        const b2PolygonShape a = polygonInBox2d(c.a);
+        const b2PolygonShape b = polygonInBox2d(c.b);
         b2DistanceInput input;
         input.proxyA.Set(&a, 0);
         input.proxyB.Set(&b, 0);
         input.transformA.SetIdentity();
-        input.transformB = toBox2d(c.bInA);
+        input.transformB = poseInBox2d(c.bInA);
         input.useRadii = false;
         b2SimplexCache cache;
         cache.count = 0;
@@ -91,11 +90,11 @@ TEST(AgainstBox2d, ManifoldsOfOverlappingPolygonsAgree) {
         if (std::max(sideA, sideB) > -1e-4L || std::fabs(sideA - sideB) < 0.01L || std::max(sideA, sideB) < -0.5L) {
             continue;
         }
-        const b2PolygonShape a = toBox2d(c.a);
-        const b2PolygonShape b = toBox2d(c.b);
+        const b2PolygonShape a = polygonInBox2d(c.a);
+        const b2PolygonShape b = polygonInBox2d(c.b);
         b2Transform identity;
         identity.SetIdentity();
-        const b2Transform pose = toBox2d(c.bInA);
+        const b2Transform pose = poseInBox2d(c.bInA);
         b2Manifold theirs;
         b2CollidePolygons(&theirs, &a, identity, &b, pose);
         b2WorldManifold world;

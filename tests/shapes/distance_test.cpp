@@ -12,8 +12,6 @@ namespace swept::test {
 namespace {
 
 constexpr int kCases = 20'000;
-/// The promise of distance.h, in units of eps × (sizes + distance).
-constexpr long double kErrorBound = 8;
 
 class DistanceFamilies : public testing::TestWithParam<PairFamily> {};
 
@@ -112,10 +110,8 @@ TEST_P(DistanceFamilies, WarmStartGivesTheSameAnswer) {
     if (!isOnePair) { EXPECT_GT(shorter, kCases / 20) << "the cache saves nothing"; }
 }
 
-std::string familyName(const testing::TestParamInfo<PairFamily>& family) {
-    return kPairFamilyNames[static_cast<std::size_t>(family.param)];
-}
-INSTANTIATE_TEST_SUITE_P(All, DistanceFamilies, testing::ValuesIn(kPairFamilies), familyName);
+INSTANTIATE_TEST_SUITE_P(All, DistanceFamilies, testing::ValuesIn(kPairFamilies),
+                         familyName<testing::TestParamInfo<PairFamily>>);
 
 TEST(Distance, SwappedShapesGiveTheSameDistance) {
     for (const PairFamily family : kPairFamilies) {
@@ -161,12 +157,6 @@ TEST(Distance, MirroredShapesGiveTheSameDistance) {
                                                                                             << c;
         }
     }
-}
-
-Polygon scaled(Polygon p, int k) {
-    for (Vec2& v : p.vertices) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k)}; }
-    p.radius = std::ldexp(p.radius, k);
-    return p;
 }
 
 TEST(Distance, PowersOfTwoScaleTheAnswerAndNothingElse) {

@@ -16,6 +16,7 @@
 #endif
 
 #include "chance.h"
+#include "same_bits.h"
 
 /// Manifolds of a batch are those of `collide`, pair by pair and bit for bit.
 
@@ -108,9 +109,7 @@ Query someQuery(Chance& chance, PairKind kind, Most sides) {
     return query;
 }
 
-bool sameBits(Real a, Real b) { return std::memcmp(&a, &b, sizeof(Real)) == 0; }
-bool sameBits(Vec2 a, Vec2 b) { return sameBits(a.x, b.x) && sameBits(a.y, b.y); }
-bool sameBits(const Manifold& p, const Manifold& q) {
+bool sameManifolds(const Manifold& p, const Manifold& q) {
     if (p.count != q.count || (p.count > 0 && (!sameBits(p.normal, q.normal) || p.isNormalOfB != q.isNormalOfB))) {
         return false;
     }
@@ -148,9 +147,9 @@ void compare(const std::vector<Query>& queries, PairKind kind, Tally& tally) {
         const Manifold one = collide(query.a, query.b, query.bInA, query.reach, memoryOfOne);
         Manifold lane;
         batch.takeManifold(i, memory, lane);
-        ASSERT_TRUE(sameBits(lane, one)) << "pair " << i << ": " << lane.count << " points, not " << one.count
-                                         << ", normals " << lane.normal.x << ", " << lane.normal.y << " and "
-                                         << one.normal.x << ", " << one.normal.y;
+        ASSERT_TRUE(sameManifolds(lane, one))
+            << "pair " << i << ": " << lane.count << " points, not " << one.count << ", normals " << lane.normal.x
+            << ", " << lane.normal.y << " and " << one.normal.x << ", " << one.normal.y;
         const bool isApart = memory.verdict == ManifoldMemory::Verdict::apart;
         ASSERT_EQ(isApart, memoryOfOne.verdict == ManifoldMemory::Verdict::apart);
         if (isApart) {  // a bound of the distance

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include <hwy/targets.h>
 
 #include "chain_queries.h"
+#include "same_bits.h"
 
 /// Manifolds of a batch of chain segments are those of `collide`, one by one and bit for bit.
 
@@ -19,9 +19,7 @@ namespace {
 
 using chains::ChainQuery;
 
-bool sameBits(Real a, Real b) { return std::memcmp(&a, &b, sizeof(Real)) == 0; }
-bool sameBits(Vec2 a, Vec2 b) { return sameBits(a.x, b.x) && sameBits(a.y, b.y); }
-bool sameBits(const Manifold& p, const Manifold& q) {
+bool sameChainManifolds(const Manifold& p, const Manifold& q) {
     if (p.count != q.count || !sameBits(p.normal, q.normal) || p.isNormalOfB != q.isNormalOfB) { return false; }
     for (std::size_t i = 0; i < p.points.size(); ++i) {
         const ManifoldPoint& a = p.points[i];
@@ -31,7 +29,7 @@ bool sameBits(const Manifold& p, const Manifold& q) {
     return true;
 }
 
-struct Tally {
+struct ChainTally {
     int queries = 0;
     int plain = 0;
     int withTwo = 0;
@@ -39,7 +37,7 @@ struct Tally {
     int left = 0;  ///< to the search
 };
 
-void compare(const std::vector<ChainQuery>& queries, Tally& tally) {
+void compareChains(const std::vector<ChainQuery>& queries, ChainTally& tally) {
     std::vector<Polygon> cores;
     for (const ChainQuery& query : queries) { cores.push_back(polygonOf(query.segment)); }
     ManifoldBatch batch(PairKind::chain);
@@ -62,7 +60,8 @@ void compare(const std::vector<ChainQuery>& queries, Tally& tally) {
         const Manifold one = collide(query.segment, query.shape, query.pose, query.margin, memoryOfOne);
         Manifold lane;
         batch.takeManifold(i, memory, lane);
-        ASSERT_TRUE(sameBits(lane, one)) << "query " << i << ": " << lane.count << " points, not " << one.count;
+        ASSERT_TRUE(sameChainManifolds(lane, one))
+            << "query " << i << ": " << lane.count << " points, not " << one.count;
         ASSERT_EQ(memory.verdict, memoryOfOne.verdict);
         const bool isApart = memory.verdict == ManifoldMemory::Verdict::apart;
         ASSERT_TRUE(!isApart || sameBits(memory.room, memoryOfOne.room));
@@ -85,7 +84,7 @@ TEST_P(ChainBatches, GiveTheBitsOfSegmentsOneByOne) {
     // manifold_batch_test.cpp says of which machines.
     if (!canCollideInBatches()) { GTEST_SKIP() << "this machine has none"; }
     for (const int most : {2, 4, kMaxPolygonVertices}) {
-        Tally tally;
+        ChainTally tally;
         for (std::uint32_t seed = 0; seed < 3000 && !HasFatalFailure(); ++seed) {
             Chance chance(seed);
             std::vector<ChainQuery> queries;
@@ -96,7 +95,7 @@ TEST_P(ChainBatches, GiveTheBitsOfSegmentsOneByOne) {
                 if (isMeant && collidesInBatches(query.segment)) { queries.push_back(query); }
             }
             SCOPED_TRACE(seed);
-            compare(queries, tally);
+            compareChains(queries, tally);
         }
         EXPECT_GT(tally.plain, tally.queries / 10) << "of at most " << most << " vertices";
         EXPECT_GT(tally.withTwo, tally.queries / 40);

@@ -1,19 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include <swept/shapes/manifold_parts.h>
 
 #include "chain_queries.h"
+#include "same_bits.h"
 
 /// What chain segments are asked without a search is what the search finds, bit for bit.
 
 namespace swept {
 namespace {
-
-bool sameBits(Real a, Real b) { return std::memcmp(&a, &b, sizeof(Real)) == 0; }
-bool sameBits(Vec2 a, Vec2 b) { return sameBits(a.x, b.x) && sameBits(a.y, b.y); }
 
 void expectSameBits(const Manifold& m, const Manifold& searched) {
     ASSERT_EQ(m.count, searched.count);

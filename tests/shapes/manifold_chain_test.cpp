@@ -5,12 +5,11 @@
 
 #include <swept/shapes/manifold.h>
 
+#include "manifold_cases.h"
 #include "pair_families.h"
 
 namespace swept::test {
 namespace {
-
-Transform poseAt(double x, double y, double angle) { return {{real(x), real(y)}, rotationFromAngle(angle)}; }
 
 struct Slider {
     const char* name;

@@ -5,17 +5,13 @@
 #include <swept/shapes/distance.h>
 #include <swept/shapes/manifold.h>
 
+#include "manifold_cases.h"
 #include "pair_families.h"
 
 /// Manifolds of random pairs: depth, places and names of the points by the distance of the same pair.
 
 namespace swept::test {
 namespace {
-
-Real deepest(const Manifold& m) {
-    Real least = m.points[0].separation;
-    return m.count > 1 ? std::min(least, m.points[1].separation) : least;
-}
 
 long double longestEdge(const Polygon& p) {
     long double most = 0;
@@ -113,15 +109,13 @@ TEST_P(UntiedFamilies, SwappedShapesGiveTheSamePoints) {
     if (GetParam() == PairFamily::generic) { EXPECT_GT(compared, 500); }
 }
 
-std::string familyName(const testing::TestParamInfo<PairFamily>& family) {
-    return kPairFamilyNames[static_cast<std::size_t>(family.param)];
-}
-INSTANTIATE_TEST_SUITE_P(All, ManifoldFamilies, testing::ValuesIn(kPairFamilies), familyName);
+INSTANTIATE_TEST_SUITE_P(All, ManifoldFamilies, testing::ValuesIn(kPairFamilies),
+                         familyName<testing::TestParamInfo<PairFamily>>);
 INSTANTIATE_TEST_SUITE_P(All, UntiedFamilies,
                          testing::Values(PairFamily::generic, PairFamily::rounded, PairFamily::sliver,
                                          PairFamily::shortEdge, PairFamily::tinyAndHuge, PairFamily::segments,
                                          PairFamily::circles, PairFamily::farApart),
-                         familyName);
+                         familyName<testing::TestParamInfo<PairFamily>>);
 
 }  // namespace
 }  // namespace swept::test

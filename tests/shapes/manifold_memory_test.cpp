@@ -25,7 +25,7 @@ Polygon roundCloud(Chance& chance, int points, double size, double radius) {
     return convexHull(cloud, static_cast<Real>(radius)).value();
 }
 
-Polygon someShape(Chance& chance, double size) {
+Polygon someKindOfShape(Chance& chance, double size) {
     const auto real = [size](double x) { return static_cast<Real>(size * x); };
     switch (chance.below(8)) {
         case 0:
@@ -75,7 +75,7 @@ Transform besides(Chance& chance, const Polygon& a, const Polygon& b, double siz
     return pose;
 }
 
-struct Tally {
+struct MemoryTally {
     int queries = 0;
     int kept = 0;  ///< answered without a new search
     int touching = 0;
@@ -92,7 +92,7 @@ void expectWithin(const ChainSegment&, const Polygon&, const Transform&, Manifol
                   ManifoldMemory&) {}
 
 template <class Shape>
-void walk(Chance& chance, const Shape& a, const Polygon& b, Transform pose, double size, Tally& tally) {
+void walk(Chance& chance, const Shape& a, const Polygon& b, Transform pose, double size, MemoryTally& tally) {
     constexpr int kSteps = 60;
     const double stride = size * std::pow(10, chance.range(-6, -1.5));
     ManifoldMemory memory;
@@ -123,13 +123,13 @@ void walk(Chance& chance, const Shape& a, const Polygon& b, Transform pose, doub
 }
 
 TEST(ManifoldMemory, ChangesNoBitOfAnyPair) {
-    Tally tally;
+    MemoryTally tally;
     for (std::uint32_t seed = 0; seed < 3000; ++seed) {
         SCOPED_TRACE(seed);
         Chance chance(seed);
         const double size = std::ldexp(1.0, chance.below(9) - 4);
-        const Polygon a = someShape(chance, size);
-        const Polygon b = someShape(chance, size);
+        const Polygon a = someKindOfShape(chance, size);
+        const Polygon b = someKindOfShape(chance, size);
         walk(chance, a, b, besides(chance, a, b, size), size, tally);
         if (testing::Test::HasFatalFailure()) { return; }
     }
@@ -139,7 +139,7 @@ TEST(ManifoldMemory, ChangesNoBitOfAnyPair) {
 }
 
 TEST(ManifoldMemory, ChangesNoBitOnChains) {
-    Tally tally;
+    MemoryTally tally;
     ChainSegment edge;
     edge.before = {3, Real(0.5)};
     edge.p = {1, 0};
@@ -149,7 +149,7 @@ TEST(ManifoldMemory, ChangesNoBitOnChains) {
     for (std::uint32_t seed = 0; seed < 400; ++seed) {
         SCOPED_TRACE(seed);
         Chance chance(seed);
-        const Polygon b = someShape(chance, 0.5);
+        const Polygon b = someKindOfShape(chance, 0.5);
         walk(chance, edge, b, besides(chance, polygonOf(edge), b, 1), 1, tally);
         if (testing::Test::HasFatalFailure()) { return; }
     }

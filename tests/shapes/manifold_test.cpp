@@ -5,6 +5,7 @@
 #include <swept/shapes/distance.h>
 #include <swept/shapes/manifold.h>
 
+#include "manifold_cases.h"
 #include "pair_families.h"
 
 /// Manifolds whose points are known, and laws of all.
@@ -12,18 +13,11 @@
 namespace swept::test {
 namespace {
 
-Real deepest(const Manifold& m) {
-    Real least = m.points[0].separation;
-    return m.count > 1 ? std::min(least, m.points[1].separation) : least;
-}
-
 std::set<FeatureId> idsOf(const Manifold& m) {
     std::set<FeatureId> ids;
     for (int i = 0; i < m.count; ++i) { ids.insert(m.points[static_cast<std::size_t>(i)].id); }
     return ids;
 }
-
-Transform poseAt(double x, double y, double angle) { return {{real(x), real(y)}, rotationFromAngle(angle)}; }
 
 struct FlatCase {
     const char* name;
@@ -246,12 +240,6 @@ TEST(Manifold, ConcentricCirclesHaveANormal) {
     ASSERT_EQ(m.count, 1);
     EXPECT_EQ(m.points[0].separation, -2);
     EXPECT_EQ(lengthSquared(m.normal), 1);
-}
-
-Polygon scaled(Polygon p, int k) {
-    for (Vec2& v : p.vertices) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k)}; }
-    p.radius = std::ldexp(p.radius, k);
-    return p;
 }
 
 TEST(Manifold, PowersOfTwoScaleThePointsAndNothingElse) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <ostream>
+#include <string>
 #include <vector>
 
 #include <swept/shapes/distance.h>
@@ -105,6 +106,9 @@ inline long double scaleOf(const PairCase& c, long double separation) {
     return radiusAboutOrigin(c.a) + radiusAboutOrigin(c.b) + std::fabs(separation);
 }
 
+/// The promise of distance.h, in units of eps × (sizes + distance).
+inline constexpr long double kErrorBound = 8;
+
 struct ShapeRecipe {
     double size = 1;
     double flatness = 1;   ///< ratio of the ellipse that the vertices lie on
@@ -140,6 +144,13 @@ inline Polygon cook(Random& random, const ShapeRecipe& recipe) {
     }
 }
 
+/// 2ᵏ times its size.
+inline Polygon scaled(Polygon p, int k) {
+    for (Vec2& v : p.vertices) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k)}; }
+    p.radius = std::ldexp(p.radius, k);
+    return p;
+}
+
 inline Transform randomPose(Random& random, double farthest) {
     const double reach = random.range(0, farthest);
     const double direction = random.chance(0.2) ? 0 : random.range(0, 6.283);
@@ -171,6 +182,11 @@ inline constexpr std::array kPairFamilies = {PairFamily::generic,   PairFamily::
 inline constexpr std::array kPairFamilyNames = {"generic",     "rounded",  "sliver",   "shortEdge",
                                                 "tinyAndHuge", "parallel", "touching", "nearTouching",
                                                 "duplicate",   "segments", "circles",  "farApart"};
+
+template <class ParamInfo>  // of GoogleTest, whose header is not needed here otherwise
+std::string familyName(const ParamInfo& family) {
+    return kPairFamilyNames[static_cast<std::size_t>(family.param)];
+}
 
 /// Moves B along the closest direction until the cores are `gap` apart, as well as `Real` can say it.
 inline void moveToGap(PairCase& c, double gap) {

@@ -51,7 +51,7 @@ TEST(Extent, OfTheSimpleShapes) {
 }
 
 /// Where the pose takes a body point, with the pose's own cosine and sine.
-Point placed(const WorldTransform& pose, Point v) {
+Point placedPoint(const WorldTransform& pose, Point v) {
     const long double c = exact(pose.rotation.c);
     const long double s = exact(pose.rotation.s);
     return exact(pose.position) + Point{c * v.x - s * v.y, s * v.x + c * v.y};
@@ -69,7 +69,7 @@ TEST(Bounds, ContainTheShapeWhereverItIs) {
         Point low{1e30L, 1e30L};
         Point high{-1e30L, -1e30L};
         for (const Vec2 v : polygon.points()) {
-            const Point p = placed(pose, exact(v));
+            const Point p = placedPoint(pose, exact(v));
             low = {std::min(low.x, p.x - r), std::min(low.y, p.y - r)};
             high = {std::max(high.x, p.x + r), std::max(high.y, p.y + r)};
             const DVec2 used = apply(pose, v);  // as a step computes it, rotated in Real
@@ -101,7 +101,7 @@ TEST(Bounds, OfAWayContainBothItsEndsGrownByTheReach) {
         const Point grown{exact(polygon.radius) + exact(reach), exact(polygon.radius) + exact(reach)};
         for (const Vec2 v : polygon.points()) {
             for (const Point end : {exact(from), exact(from) + exact(way)}) {
-                const Point p = placed({{}, rotation}, exact(v)) + end;
+                const Point p = placedPoint({{}, rotation}, exact(v)) + end;
                 ASSERT_LE(exact(box.lower).x, p.x - grown.x) << "case " << i << ": " << polygon;
                 ASSERT_LE(exact(box.lower).y, p.y - grown.y) << "case " << i << ": " << polygon;
                 ASSERT_GE(exact(box.upper).x, p.x + grown.x) << "case " << i << ": " << polygon;
@@ -135,7 +135,7 @@ TEST(Bounds, AreRoundedOutwardAtEveryScale) {
         const long double around = exact(polygon.radius) + exact(reach);
         for (const Vec2 v : polygon.points()) {
             for (const Point end : {exact(pose.position), exact(pose.position) + exact(way)}) {
-                const Point p = placed({{}, pose.rotation}, exact(v)) + end;
+                const Point p = placedPoint({{}, pose.rotation}, exact(v)) + end;
                 ASSERT_LE(exact(box.lower).x, std::max(p.x - around, -kMost)) << "case " << i << ": " << polygon;
                 ASSERT_LE(exact(box.lower).y, std::max(p.y - around, -kMost)) << "case " << i << ": " << polygon;
                 ASSERT_GE(exact(box.upper).x, std::min(p.x + around, kMost)) << "case " << i << ": " << polygon;

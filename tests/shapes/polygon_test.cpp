@@ -11,11 +11,11 @@ namespace swept::test {
 namespace {
 
 constexpr Real kNan = std::numeric_limits<Real>::quiet_NaN();
-constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+constexpr Real kEndless = std::numeric_limits<Real>::infinity();
 
-StatusCode codeOf(const Result<Polygon>& result) { return result.status().code; }
+StatusCode codeOfResult(const Result<Polygon>& result) { return result.status().code; }
 StatusCode polygonCode(const std::vector<Vec2>& vertices, Real radius = 0) {
-    return codeOf(makePolygon(vertices, radius));
+    return codeOfResult(makePolygon(vertices, radius));
 }
 
 void expectOutwardUnitNormals(const Polygon& polygon) {
@@ -42,26 +42,26 @@ TEST(Makers, ProduceWhatValidateAccepts) {
 }
 
 TEST(MakeCircle, RefusesPointsAndNonsense) {
-    EXPECT_EQ(codeOf(makeCircle({0, 0}, 1)), StatusCode::ok);
-    EXPECT_EQ(codeOf(makeCircle({0, 0}, 0)), StatusCode::degenerate);
-    EXPECT_EQ(codeOf(makeCircle({0, 0}, -1)), StatusCode::negative);
-    EXPECT_EQ(codeOf(makeCircle({0, 0}, kNan)), StatusCode::notFinite);
-    EXPECT_EQ(codeOf(makeCircle({kInfinity, 0}, 1)), StatusCode::notFinite);
+    EXPECT_EQ(codeOfResult(makeCircle({0, 0}, 1)), StatusCode::ok);
+    EXPECT_EQ(codeOfResult(makeCircle({0, 0}, 0)), StatusCode::degenerate);
+    EXPECT_EQ(codeOfResult(makeCircle({0, 0}, -1)), StatusCode::negative);
+    EXPECT_EQ(codeOfResult(makeCircle({0, 0}, kNan)), StatusCode::notFinite);
+    EXPECT_EQ(codeOfResult(makeCircle({kEndless, 0}, 1)), StatusCode::notFinite);
     EXPECT_STREQ(makeCircle({kNan, 0}, 1).status().field, "center");
     EXPECT_EQ(makeCircle({0, 0}, 0).value().count, 0) << "a refused shape is an empty one";
 }
 
 TEST(MakeCapsule, RefusesWhatHasNoLength) {
-    EXPECT_EQ(codeOf(makeCapsule({0, 0}, {1, 0}, 1)), StatusCode::ok);
-    EXPECT_EQ(codeOf(makeCapsule({0, 0}, {1, 0}, 0)), StatusCode::degenerate);
-    EXPECT_EQ(codeOf(makeCapsule({1, 2}, {1, 2}, 1)), StatusCode::degenerate);
-    EXPECT_EQ(codeOf(makeCapsule({0, 0}, {1, 0}, -1)), StatusCode::negative);
-    EXPECT_EQ(codeOf(makeCapsule({0, 0}, {1, kNan}, 1)), StatusCode::notFinite);
-    EXPECT_EQ(codeOf(makeSegment({0, 0}, {1, 0})), StatusCode::ok);
-    EXPECT_EQ(codeOf(makeSegment({1, 0}, {1, 0})), StatusCode::degenerate);
-    EXPECT_EQ(codeOf(makeSegment({0, 0}, {1, 0}, kInfinity)), StatusCode::notFinite);
+    EXPECT_EQ(codeOfResult(makeCapsule({0, 0}, {1, 0}, 1)), StatusCode::ok);
+    EXPECT_EQ(codeOfResult(makeCapsule({0, 0}, {1, 0}, 0)), StatusCode::degenerate);
+    EXPECT_EQ(codeOfResult(makeCapsule({1, 2}, {1, 2}, 1)), StatusCode::degenerate);
+    EXPECT_EQ(codeOfResult(makeCapsule({0, 0}, {1, 0}, -1)), StatusCode::negative);
+    EXPECT_EQ(codeOfResult(makeCapsule({0, 0}, {1, kNan}, 1)), StatusCode::notFinite);
+    EXPECT_EQ(codeOfResult(makeSegment({0, 0}, {1, 0})), StatusCode::ok);
+    EXPECT_EQ(codeOfResult(makeSegment({1, 0}, {1, 0})), StatusCode::degenerate);
+    EXPECT_EQ(codeOfResult(makeSegment({0, 0}, {1, 0}, kEndless)), StatusCode::notFinite);
     const Real huge = std::numeric_limits<Real>::max();
-    EXPECT_EQ(codeOf(makeSegment({-huge, 0}, {huge, 0})), StatusCode::notFinite) << "its length is not finite";
+    EXPECT_EQ(codeOfResult(makeSegment({-huge, 0}, {huge, 0})), StatusCode::notFinite) << "its length is not finite";
 }
 
 TEST(MakeBox, IsExactWhenUpright) {
@@ -98,21 +98,22 @@ TEST(MakeBox, TurnsAboutItsCentre) {
 }
 
 TEST(MakeBox, RefusesNonsense) {
-    EXPECT_EQ(codeOf(makeBox({0, 1})), StatusCode::degenerate);
-    EXPECT_EQ(codeOf(makeBox({1, -1})), StatusCode::negative);
-    EXPECT_EQ(codeOf(makeBox({kNan, 1})), StatusCode::notFinite);
-    EXPECT_EQ(codeOf(makeBox({1, 1}, {kInfinity, 0})), StatusCode::notFinite);
-    EXPECT_EQ(codeOf(makeBox({1, 1}, {0, 0}, std::nan(""))), StatusCode::notFinite);
-    EXPECT_EQ(codeOf(makeBox({1, 1}, {0, 0}, 0, -1)), StatusCode::negative);
+    EXPECT_EQ(codeOfResult(makeBox({0, 1})), StatusCode::degenerate);
+    EXPECT_EQ(codeOfResult(makeBox({1, -1})), StatusCode::negative);
+    EXPECT_EQ(codeOfResult(makeBox({kNan, 1})), StatusCode::notFinite);
+    EXPECT_EQ(codeOfResult(makeBox({1, 1}, {kEndless, 0})), StatusCode::notFinite);
+    EXPECT_EQ(codeOfResult(makeBox({1, 1}, {0, 0}, std::nan(""))), StatusCode::notFinite);
+    EXPECT_EQ(codeOfResult(makeBox({1, 1}, {0, 0}, 0, -1)), StatusCode::negative);
     EXPECT_STREQ(makeBox({1, -1}).status().field, "half");
 }
 
 TEST(MakeBox, RefusesABoxThatVanishesFarFromTheOrigin) {
     const Real far = 1 / kEpsilon;  // the spacing of numbers here is 1 (and ½ below)
-    EXPECT_EQ(codeOf(makeBox({real(0.2), real(0.2)}, {2 * far, 0})), StatusCode::degenerate);
-    EXPECT_EQ(codeOf(makeBox({real(0.2), 8}, {0, 2 * far})), StatusCode::ok) << "8 m are enough where 1 m is resolved";
-    EXPECT_EQ(codeOf(makeBox({8, real(0.2)}, {0, 2 * far})), StatusCode::degenerate);
-    EXPECT_EQ(codeOf(makeBox({8, 8}, {2 * far, 2 * far}, 0.5)), StatusCode::ok);
+    EXPECT_EQ(codeOfResult(makeBox({real(0.2), real(0.2)}, {2 * far, 0})), StatusCode::degenerate);
+    EXPECT_EQ(codeOfResult(makeBox({real(0.2), 8}, {0, 2 * far})), StatusCode::ok)
+        << "8 m are enough where 1 m is resolved";
+    EXPECT_EQ(codeOfResult(makeBox({8, real(0.2)}, {0, 2 * far})), StatusCode::degenerate);
+    EXPECT_EQ(codeOfResult(makeBox({8, 8}, {2 * far, 2 * far}, 0.5)), StatusCode::ok);
     // A turned sliver rounds to anything; it is accepted only as a valid polygon.
     Random random(3);
     int refused = 0;
@@ -122,7 +123,7 @@ TEST(MakeBox, RefusesABoxThatVanishesFarFromTheOrigin) {
         if (box.ok()) {
             ASSERT_TRUE(validate(box.value()).ok()) << "case " << i;
         } else {
-            ASSERT_EQ(codeOf(box), StatusCode::degenerate) << "case " << i;
+            ASSERT_EQ(codeOfResult(box), StatusCode::degenerate) << "case " << i;
             ++refused;
         }
     }
@@ -220,7 +221,7 @@ TEST(Validate, RefusesWhatTheMakersCannotProduce) {
     EXPECT_EQ(codeAfter([](Polygon& p) { p.vertices[1] = p.vertices[0]; }).code, StatusCode::notConvex);
     EXPECT_STREQ(codeAfter([](Polygon& p) { p.count = 9; }).field, "count");
     EXPECT_STREQ(codeAfter([](Polygon& p) { p.normals[0] = {}; }).field, "normals");
-    EXPECT_STREQ(codeAfter([](Polygon& p) { p.vertices[0].y = kInfinity; }).field, "vertices");
+    EXPECT_STREQ(codeAfter([](Polygon& p) { p.vertices[0].y = kEndless; }).field, "vertices");
 }
 
 TEST(SupportIndex, FindsTheFarthestVertexAndTheLowestOnATie) {

@@ -5,14 +5,13 @@
 
 #include <swept/shapes/ray_cast.h>
 
+#include "box2d_vec2.h"
 #include "shape_families.h"
 
 /// The same rays against Box2D 2.4.1. Its polygons are cast without their skin, its rays do not hit what they start in.
 
 namespace swept::test {
 namespace {
-
-b2Vec2 toBox2d(Vec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 
 struct Box2dHit {
     bool hit;

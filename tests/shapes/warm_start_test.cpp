@@ -11,8 +11,6 @@
 namespace swept::test {
 namespace {
 
-constexpr long double kErrorBound = 8;  // the promise of distance.h, in units of eps × (sizes + distance)
-
 SimplexCache cacheOf(int a, int b, int nextA, int nextB) {
     SimplexCache cache;
     cache.count = nextA == a && nextB == b ? 1 : 2;

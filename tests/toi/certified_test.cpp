@@ -14,14 +14,14 @@ namespace swept::test {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kCases = 300;
+constexpr int kCertifiedCases = 300;
 #else
-constexpr int kCases = 6000;  // of each of the families
+constexpr int kCertifiedCases = 6000;  // of each of the families
 #endif
 constexpr int kBracketed = 6;  // every so many answers have their bracket and features looked at
 constexpr std::uint64_t kSeed = 20260;
 
-struct Tally {
+struct CertifiedTally {
     int hits = 0;  ///< after the start
     int atStart = 0;
     int separated = 0;
@@ -106,8 +106,8 @@ bool isIndexOf(const ToiPolygon& polygon, int i) { return i >= 0 && i < polygon.
 class ToiCertificate : public ::testing::TestWithParam<ToiFamily> {};
 
 TEST_P(ToiCertificate, IsKept) {
-    Tally tally;
-    for (int index = 0; index < kCases; ++index) {
+    CertifiedTally tally;
+    for (int index = 0; index < kCertifiedCases; ++index) {
         const ToiQuery q = makeToiCase(GetParam(), kSeed, static_cast<std::uint64_t>(index));
         const Toi toi = timeOfImpact(q.a, q.sweepA, q.b, q.sweepB, q.settings);
         const ToiJudgement judgement = judgeToi(q, toi);
@@ -128,19 +128,19 @@ TEST_P(ToiCertificate, IsKept) {
     RecordProperty("hits", tally.hits);
     RecordProperty("separated", tally.separated);
     RecordProperty("undecided", tally.undecided);
-    EXPECT_LE(tally.undecided, kCases / 1000);
+    EXPECT_LE(tally.undecided, kCertifiedCases / 1000);
     // Enough of everything to prove something.
-    EXPECT_GT(tally.hits, 0.03 * kCases);
-    EXPECT_GT(tally.separated, 0.03 * kCases);
-    if (GetParam() == ToiFamily::overlap) { EXPECT_GT(tally.overlapped, 0.5 * kCases); }
-    if (GetParam() == ToiFamily::touch) { EXPECT_GT(tally.atStart, 0.2 * kCases); }
-    if (GetParam() == ToiFamily::atTarget) { EXPECT_GT(tally.atStart, 0.3 * kCases); }
-    if (GetParam() == ToiFamily::dip) { EXPECT_GT(tally.gone, 0.3 * kCases); }
+    EXPECT_GT(tally.hits, 0.03 * kCertifiedCases);
+    EXPECT_GT(tally.separated, 0.03 * kCertifiedCases);
+    if (GetParam() == ToiFamily::overlap) { EXPECT_GT(tally.overlapped, 0.5 * kCertifiedCases); }
+    if (GetParam() == ToiFamily::touch) { EXPECT_GT(tally.atStart, 0.2 * kCertifiedCases); }
+    if (GetParam() == ToiFamily::atTarget) { EXPECT_GT(tally.atStart, 0.3 * kCertifiedCases); }
+    if (GetParam() == ToiFamily::dip) { EXPECT_GT(tally.gone, 0.3 * kCertifiedCases); }
 }
 
 /// How much is told changes nothing in what is found.
 TEST_P(ToiCertificate, IsTheSameInEveryDetail) {
-    for (int index = 0; index < kCases / 20; ++index) {
+    for (int index = 0; index < kCertifiedCases / 20; ++index) {
         ToiQuery q = makeToiCase(GetParam(), kSeed, static_cast<std::uint64_t>(index));
         const Toi all = timeOfImpact(q.a, q.sweepA, q.b, q.sweepB, q.settings);
         for (const ToiDetail detail : {ToiDetail::event, ToiDetail::contact}) {
@@ -167,7 +167,7 @@ class ToiInContact : public ::testing::TestWithParam<ToiFamily> {};
 TEST_P(ToiInContact, KeepsItsLevel) {
     int deeper = 0;
     int overlapping = 0;
-    for (int index = 0; index < kCases / 4; ++index) {
+    for (int index = 0; index < kCertifiedCases / 4; ++index) {
         const ToiQuery q = makeToiCase(GetParam(), kSeed, static_cast<std::uint64_t>(index));
         SCOPED_TRACE(::testing::Message() << nameOf(GetParam()) << " seed " << kSeed << " index " << index << '\n'
                                           << q);
@@ -188,8 +188,8 @@ TEST_P(ToiInContact, KeepsItsLevel) {
         }
         overlapping += start.state == ToiState::overlapped ? 1 : 0;
     }
-    EXPECT_GT(deeper, kCases / 40);
-    if (GetParam() == ToiFamily::overlap) { EXPECT_GT(overlapping, kCases / 8); }
+    EXPECT_GT(deeper, kCertifiedCases / 40);
+    if (GetParam() == ToiFamily::overlap) { EXPECT_GT(overlapping, kCertifiedCases / 8); }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ToiInContact,

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "../support/random.h"
-#include "oracle.h"
+#include "query_parts.h"
 
 /// Impacts whose time can be written down. With a tolerance of a few roundings the answer must agree to many digits.
 
@@ -12,13 +12,6 @@ namespace swept::test {
 namespace {
 
 constexpr double kTolerance = 1e-12;
-
-ToiPolygon circle(double radius) {
-    ToiPolygon polygon;
-    polygon.count = 1;
-    polygon.radius = radius;
-    return polygon;
-}
 
 /// A box whose upper face is the x axis, wide enough to stand for a half-plane.
 ToiPolygon ground() { return {{DVec2{-50, -1}, DVec2{50, -1}, DVec2{50, 0}, DVec2{-50, 0}}, 4, 0}; }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kCases = 1000;
 
-struct Tally {
+struct FamilyTally {
     int hits = 0;
     int late = 0;  ///< hits after the start
     int separated = 0;
@@ -33,7 +33,7 @@ struct Tally {
     }
 };
 
-void record(const char* what, const Tally& tally) {
+void record(const char* what, const FamilyTally& tally) {
     ::testing::Test::RecordProperty(std::string(what) + "Hits", tally.late);
     ::testing::Test::RecordProperty(std::string(what) + "MostIterations", tally.mostIterations);
     ::testing::Test::RecordProperty(std::string(what) + "MeanIterations",
@@ -43,7 +43,7 @@ void record(const char* what, const Tally& tally) {
 class ToiFamilies : public ::testing::TestWithParam<Family> {};
 
 TEST_P(ToiFamilies, KeepTheirPromises) {
-    Tally tally;
+    FamilyTally tally;
     for (std::uint64_t seed = 0; seed < kCases; ++seed) {
         const Query query = randomQuery(GetParam(), seed);
         const Status valid = validateToi(query.a, query.sweepA, query.b, query.sweepB, query.settings);
@@ -72,7 +72,7 @@ Query atTheLimit(Query q, std::uint64_t seed) {
 }
 
 TEST_P(ToiFamilies, KeepTheirPromisesAtTheFinestTolerance) {
-    Tally tally;
+    FamilyTally tally;
     for (std::uint64_t seed = 0; seed < kCases; ++seed) {
         const Query query = atTheLimit(randomQuery(GetParam(), seed), seed);
         const Toi toi = ask(query);
@@ -85,7 +85,7 @@ TEST_P(ToiFamilies, KeepTheirPromisesAtTheFinestTolerance) {
 }
 
 TEST_P(ToiFamilies, KeepTheirPromisesWithoutRotation) {
-    Tally tally;
+    FamilyTally tally;
     for (std::uint64_t seed = 0; seed < kCases; ++seed) {
         const Query query = randomQuery(GetParam(), seed);
         const Toi toi = askCast(query);

@@ -7,6 +7,7 @@
 #include "../oracle/first_crossing.h"
 #include "../support/random.h"
 #include "measured_cases.h"
+#include "query_parts.h"
 
 /// The interval oracle itself, against times that can be written down and against the measured cases.
 
@@ -22,13 +23,6 @@ constexpr oracle::CrossingSettings kFine{1e-12, 20'000};
 
 Crossing cross(const Query& q, double level) {
     return firstCrossing(MovingPair(q.a, q.sweepA, q.b, q.sweepB), level, 0, 1, kFine);
-}
-
-ToiPolygon circle(double radius) {
-    ToiPolygon polygon;
-    polygon.count = 1;
-    polygon.radius = radius;
-    return polygon;
 }
 
 /// Checks a crossing against the known time of the first one, above 1 for none.

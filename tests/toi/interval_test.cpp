@@ -15,7 +15,7 @@ namespace {
 using Long = long double;
 using test::Random;
 
-constexpr int kCases = 200'000;
+constexpr int kIntervalCases = 200'000;
 
 double wideDouble(Random& random) { return random.sign() * std::ldexp(random.range(0.5, 1), random.integer(-40, 40)); }
 
@@ -44,7 +44,7 @@ Sample sample(Random& random) {
 TEST(Interval, NeighboursAreThoseOfTheLibrary) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     Random random(1);
-    for (int i = 0; i < kCases; ++i) {
+    for (int i = 0; i < kIntervalCases; ++i) {
         const double x = wideDouble(random);
         ASSERT_EQ(nextUp(x), std::nextafter(x, kInfinity));
         ASSERT_EQ(nextDown(x), std::nextafter(x, -kInfinity));
@@ -60,7 +60,7 @@ TEST(Interval, NeighboursAreThoseOfTheLibrary) {
 
 TEST(Interval, OperationsHoldTheExactResult) {
     Random random(2);
-    for (int i = 0; i < kCases; ++i) {
+    for (int i = 0; i < kIntervalCases; ++i) {
         const Sample a = sample(random);
         const Sample b = sample(random);
         const Long x = a.inside;
@@ -80,7 +80,7 @@ TEST(Interval, OperationsHoldTheExactResult) {
 
 TEST(Interval, ThinOperandsGiveThinResults) {
     Random random(3);
-    for (int i = 0; i < kCases; ++i) {
+    for (int i = 0; i < kIntervalCases; ++i) {
         const double x = wideDouble(random);
         const double y = wideDouble(random);
         for (const Interval result : {Interval(x) + Interval(y), Interval(x) * Interval(y), Interval(x) / Interval(y),
@@ -105,7 +105,7 @@ TEST(Interval, SineAndCosineHoldThoseOfLongDouble) {
     // The library's functions are good to a few 1e-20 on these angles.
     constexpr Long kLibrary = 1e-18L;
     Random random(4);
-    for (int i = 0; i < kCases; ++i) {
+    for (int i = 0; i < kIntervalCases; ++i) {
         const double scale = random.chance(0.5) ? 10 : random.chance(0.5) ? 1e-8 : 1e5;
         double x = random.range(-scale, scale);
         if (random.chance(0.2)) { x = 1.5707963267948966 * random.integer(-1000, 1000); }  // where quadrants change

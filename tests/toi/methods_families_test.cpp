@@ -10,21 +10,20 @@
 #include <swept/toi/toi_method.h>
 
 #include "families.h"
+#include "query_parts.h"
 
 /// The methods on random pairs of every kind: those that must agree, those that must not, scaling and budgets.
 
 namespace swept::test {
 namespace {
 
-constexpr std::uint64_t kCases = 200;
+constexpr std::uint64_t kMethodCases = 200;
 constexpr std::uint64_t kFirstSeed = 5000;
 
-Toi by(ToiMethod method, const Query& q) { return timeOfImpactBy(method, q.a, q.sweepA, q.b, q.sweepB, q.settings); }
-
 template <class Check>
-void overAllFamilies(Check check) {
+void inAllFamilies(Check check) {
     for (const Family family : kFamilies) {
-        for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + kCases; ++seed) {
+        for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + kMethodCases; ++seed) {
             const Query query = randomQuery(family, seed);
             SCOPED_TRACE(::testing::Message() << nameOf(family) << " seed " << seed << query);
             check(query);
@@ -66,7 +65,7 @@ class ToiMethodFamilies : public ::testing::TestWithParam<ToiMethod> {};
 TEST_P(ToiMethodFamilies, KeepTheCertificate) {
     int hits = 0;
     int separated = 0;
-    overAllFamilies([&](const Query& q) {
+    inAllFamilies([&](const Query& q) {
         const Toi toi = by(GetParam(), q);
         ASSERT_TRUE(keepsItsPromise(q, toi));
         ASSERT_TRUE(judge(q, toi, ToiMethod::certified).isRight());
@@ -85,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(Certified, ToiMethodFamilies,
 TEST(ToiMethodLaws, BruteForceStopsAtTheRootItself) {
     int hits = 0;
     int exact = 0;
-    overAllFamilies([&](const Query& q) {
+    inAllFamilies([&](const Query& q) {
         const Toi toi = by(ToiMethod::bruteForce, q);
         if (!isLaterHit(toi)) { return; }
         const double error = std::fabs(toi.separation - q.settings.target);
@@ -99,7 +98,7 @@ TEST(ToiMethodLaws, BruteForceStopsAtTheRootItself) {
 
 TEST(ToiMethodLaws, BruteForceSeesWhatStartsARoundingAboveTheTarget) {
     int hits = 0;
-    overAllFamilies([&](Query q) {
+    inAllFamilies([&](Query q) {
         const double start = separationAt(q.a, q.sweepA, q.b, q.sweepB, 0).separation;
         if (!(start > 0)) { return; }
         q.settings.target = std::nextafter(start, 0);
@@ -112,7 +111,7 @@ TEST(ToiMethodLaws, BruteForceSeesWhatStartsARoundingAboveTheTarget) {
 
 TEST(ToiMethodLaws, ShapeCastIsRightWithoutRotation) {
     int hits = 0;
-    overAllFamilies([&](const Query& q) {
+    inAllFamilies([&](const Query& q) {
         const Query still = withoutRotation(q);
         const Toi toi = by(ToiMethod::shapeCast, q);
         ASSERT_TRUE(judge(still, toi, ToiMethod::bruteForce).isRight());
@@ -123,7 +122,7 @@ TEST(ToiMethodLaws, ShapeCastIsRightWithoutRotation) {
 
 TEST(ToiMethodLaws, RayCastIsRightForDisks) {
     int hits = 0;
-    overAllFamilies([&](Query q) {
+    inAllFamilies([&](Query q) {
         for (ToiPolygon* polygon : {&q.a, &q.b}) {
             polygon->count = 1;
             polygon->radius += length(polygon->vertices[0]);
@@ -144,7 +143,7 @@ TEST(ToiMethodLaws, TheOthersFailAsTheirPagesSay) {
         int early = 0;
     };
     std::array<Tally, kToiMethods.size()> tallies{};
-    overAllFamilies([&](const Query& q) {
+    inAllFamilies([&](const Query& q) {
         if (ask(q).state == ToiState::overlapped) { return; }
         for (const ToiMethodInfo& info : kToiMethods) {
             const Verdict verdict = judge(q, by(info.method, q), ToiMethod::certified);
@@ -172,21 +171,8 @@ TEST(ToiMethodLaws, TheOthersFailAsTheirPagesSay) {
     }
 }
 
-Query scaled(Query q, double factor) {
-    for (ToiPolygon* polygon : {&q.a, &q.b}) {
-        for (DVec2& vertex : polygon->vertices) { vertex = factor * vertex; }
-        polygon->radius *= factor;
-    }
-    for (Sweep* sweep : {&q.sweepA, &q.sweepB}) {
-        for (DVec2* v : {&sweep->localCenter, &sweep->c0, &sweep->c1, &sweep->k}) { *v = factor * *v; }
-    }
-    q.settings.target *= factor;
-    q.settings.tolerance *= factor;
-    return q;
-}
-
 TEST(ToiMethodLaws, PowersOfTwoScaleExactly) {
-    overAllFamilies([](const Query& q) {
+    inAllFamilies([](const Query& q) {
         for (const ToiMethodInfo& info : kToiMethods) {
             const Toi toi = by(info.method, q);
             for (const int exponent : {-80, 90}) {
@@ -203,7 +189,7 @@ TEST(ToiMethodLaws, PowersOfTwoScaleExactly) {
 }
 
 TEST(ToiMethodLaws, AnswersDescribeThePoseTheyReport) {
-    overAllFamilies([](const Query& q) {
+    inAllFamilies([](const Query& q) {
         for (const ToiMethodInfo& info : kToiMethods) {
             if (info.method == ToiMethod::shapeCast) { continue; }  // reports its own motion
             const Toi toi = by(info.method, q);
@@ -250,13 +236,13 @@ TEST(ToiMethodBudgets, AllowForMoreTurnsThanAnyGameHas) {
 TEST(ToiMethodBudgets, OfTheAxisRootsAreSmall) {
     int most = 0;
     int failed = 0;
-    overAllFamilies([&](const Query& q) {
+    inAllFamilies([&](const Query& q) {
         const Toi toi = by(ToiMethod::separatingAxisRoot, q);
         most = std::max(most, toi.iterations);
         failed += toi.state == ToiState::failed ? 1 : 0;
     });
     EXPECT_LT(most, 1000);
-    EXPECT_LE(failed, static_cast<int>(kFamilies.size() * kCases / 100));
+    EXPECT_LE(failed, static_cast<int>(kFamilies.size() * kMethodCases / 100));
 }
 
 }  // namespace

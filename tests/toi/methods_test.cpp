@@ -5,7 +5,7 @@
 
 #include <swept/toi/toi_method.h>
 
-#include "oracle.h"
+#include "query_parts.h"
 
 /// Each method on cases small enough to see: where it is right, and where it must be wrong.
 
@@ -14,14 +14,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kTarget = 0.01;
-constexpr double kTolerance = 0.0001;
-
-ToiPolygon circle(double radius) {
-    ToiPolygon polygon;
-    polygon.count = 1;
-    polygon.radius = radius;
-    return polygon;
-}
+constexpr double kMethodTolerance = 0.0001;
 
 ToiPolygon box(double halfWidth, double halfHeight) {
     return {{DVec2{-halfWidth, -halfHeight}, DVec2{halfWidth, -halfHeight}, DVec2{halfWidth, halfHeight},
@@ -49,9 +42,7 @@ Sweep turning(Sweep sweep, double from, double to) {
     return sweep;
 }
 
-ToiSettings settings() { return {kTarget, kTolerance, 1}; }
-
-Toi by(ToiMethod method, const Query& q) { return timeOfImpactBy(method, q.a, q.sweepA, q.b, q.sweepB, q.settings); }
+ToiSettings settings() { return {kTarget, kMethodTolerance, 1}; }
 
 /// A wall 0.2 thick at the origin; a ball of radius ¼ flies through it from x = −2.
 Query ballThroughWall(double to) {
@@ -94,7 +85,7 @@ TEST(ToiMethods, AgreeOnABallThatMeetsAWall) {
     const double expected = (1.65 - kTarget) / 4;
     for (const ToiMethodInfo& info : kToiMethods) {
         if (info.method == ToiMethod::discrete) { continue; }
-        expectImpact(ballThroughWall(2), info.method, expected, kTolerance / 4);
+        expectImpact(ballThroughWall(2), info.method, expected, kMethodTolerance / 4);
     }
 }
 
@@ -105,7 +96,7 @@ TEST(ToiMethods, AgreeOnAThrownBall) {
     const double expected = (4.3 - std::sqrt(4.3 * 4.3 - 16 * 0.39)) / 8;
     for (const ToiMethod method :
          {ToiMethod::shapeCast, ToiMethod::conservativeAdvancement, ToiMethod::bruteForce, ToiMethod::certified}) {
-        expectImpact(q, method, expected, kTolerance / 2);
+        expectImpact(q, method, expected, kMethodTolerance / 2);
     }
     // It comes up again: the end is above the ground, and so is the chord that a ray takes.
     for (const ToiMethod method : {ToiMethod::discrete, ToiMethod::rayCast, ToiMethod::separatingAxisRoot}) {
@@ -121,7 +112,7 @@ TEST(ToiMethods, AgreeOnABarThatTurnsDown) {
     const double expected = (std::asin((0.3 - kTarget) / reach) - std::asin(0.05 / reach)) / (kPi / 2);
     for (const ToiMethod method : {ToiMethod::conservativeAdvancement, ToiMethod::bruteForce,
                                    ToiMethod::separatingAxisRoot, ToiMethod::certified}) {
-        expectImpact(q, method, expected, 1.1 * kTolerance / (0.9 * kPi / 2));
+        expectImpact(q, method, expected, 1.1 * kMethodTolerance / (0.9 * kPi / 2));
     }
     EXPECT_NEAR(by(ToiMethod::bruteForce, q).fraction, expected, 1e-14);
 }
@@ -138,7 +129,7 @@ TEST(ToiMethods, RayCastMissesWideShapesAndComesLate) {
     // Two bars whose ends overlap, while neither's middle meets the other.
     const Query ends{box(1, 0.1), resting({0, 0}), box(1, 0.1), moving({1.5, 2}, {1.5, -2}), settings()};
     expectSeparated(ends, ToiMethod::rayCast);
-    expectImpact(ends, ToiMethod::certified, (1.8 - kTarget) / 4, kTolerance);
+    expectImpact(ends, ToiMethod::certified, (1.8 - kTarget) / 4, kMethodTolerance);
 
     const Query boxes{box(0.5, 0.5), resting({0, 0}), box(0.5, 0.5), moving({-2, 0}, {2, 0}), settings()};
     const Toi late = by(ToiMethod::rayCast, boxes);

@@ -13,12 +13,14 @@
 namespace swept::test {
 namespace {
 
-constexpr std::uint64_t kCases = 300;
+constexpr std::uint64_t kFamilyCases = 300;
 
 template <class Count>
 int countCases(ToiFamily family, Count count) {
     int counted = 0;
-    for (std::uint64_t index = 0; index < kCases; ++index) { counted += count(makeToiCase(family, 5, index)) ? 1 : 0; }
+    for (std::uint64_t index = 0; index < kFamilyCases; ++index) {
+        counted += count(makeToiCase(family, 5, index)) ? 1 : 0;
+    }
     return counted;
 }
 
@@ -37,7 +39,7 @@ double travelOf(const ToiQuery& q) { return length((q.sweepB.c1 - q.sweepB.c0) -
 TEST(ToiFamilyCases, AreAcceptedAndReproducible) {
     for (const ToiFamily family : kToiFamilies) {
         std::set<std::string> lines;
-        for (std::uint64_t index = 0; index < kCases; ++index) {
+        for (std::uint64_t index = 0; index < kFamilyCases; ++index) {
             const ToiQuery q = makeToiCase(family, 5, index);
             const Status status = validateToi(q.a, q.sweepA, q.b, q.sweepB, q.settings);
             ASSERT_TRUE(status.ok()) << nameOf(family) << ' ' << index << ' ' << status.field << q;
@@ -45,7 +47,7 @@ TEST(ToiFamilyCases, AreAcceptedAndReproducible) {
             lines.insert(queryLine(q, "x", "y"));
             lines.insert(queryLine(makeToiCase(family, 6, index), "x", "y"));
         }
-        EXPECT_EQ(lines.size(), 2 * kCases) << nameOf(family);
+        EXPECT_EQ(lines.size(), 2 * kFamilyCases) << nameOf(family);
     }
 }
 
@@ -67,7 +69,7 @@ TEST(ToiFamilyCases, GrazeWithinAThousandthOfTheSize) {
         return stateAt(-1.1e-3 * size) == oracle::CrossingState::none &&
                stateAt(2.1e-3 * size) == oracle::CrossingState::found;
     });
-    EXPECT_GT(grazing, 0.8 * kCases);
+    EXPECT_GT(grazing, 0.8 * kFamilyCases);
 }
 
 TEST(ToiFamilyCases, DipOutAgain) {
@@ -77,7 +79,7 @@ TEST(ToiFamilyCases, DipOutAgain) {
         return pair.guessSeparation(0) > level && pair.guessSeparation(1) > level &&
                firstCrossing(pair, level, 0, 1, {1, 20'000}).state == oracle::CrossingState::found;
     });
-    EXPECT_GT(dips, 0.4 * kCases);
+    EXPECT_GT(dips, 0.4 * kFamilyCases);
 }
 
 TEST(ToiFamilyCases, AreWhatTheyAreCalled) {
@@ -87,9 +89,9 @@ TEST(ToiFamilyCases, AreWhatTheyAreCalled) {
     const auto hasShortEdge = [](const ToiQuery& q) { return shortestEdge(q.a) < 1e-3; };
     EXPECT_GT(countCases(ToiFamily::shortEdge, hasShortEdge), 150);
     const auto bothTurn = [](const ToiQuery& q) { return turnOf(q.sweepA) > 0.5 && turnOf(q.sweepB) > 0.5; };
-    EXPECT_EQ(countCases(ToiFamily::bothTurning, bothTurn), static_cast<int>(kCases));
+    EXPECT_EQ(countCases(ToiFamily::bothTurning, bothTurn), static_cast<int>(kFamilyCases));
     const auto fewVertices = [](const ToiQuery& q) { return q.a.count <= 2 && q.b.count <= 2 && q.a.radius > 0; };
-    EXPECT_EQ(countCases(ToiFamily::circlesCapsules, fewVertices), static_cast<int>(kCases));
+    EXPECT_EQ(countCases(ToiFamily::circlesCapsules, fewVertices), static_cast<int>(kFamilyCases));
     const auto accelerates = [](const ToiQuery& q) { return length(q.sweepB.k - q.sweepA.k) > 0.5; };
     EXPECT_GT(countCases(ToiFamily::parabola, accelerates), 200);
     const auto startsAtTarget = [](const ToiQuery& q) {
@@ -97,7 +99,7 @@ TEST(ToiFamilyCases, AreWhatTheyAreCalled) {
         const double aside = std::fabs(pair.guessSeparation(0) - q.settings.target);
         return aside <= 3.01 * defaultToiSettings(q.a, q.b).tolerance;
     };
-    EXPECT_GT(countCases(ToiFamily::atTarget, startsAtTarget), 0.8 * kCases);
+    EXPECT_GT(countCases(ToiFamily::atTarget, startsAtTarget), 0.8 * kFamilyCases);
 }
 
 }  // namespace

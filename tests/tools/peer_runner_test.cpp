@@ -41,7 +41,7 @@ void join(SceneDescription& scene, const std::string& a, const std::string& b, c
     scene.joints.push_back(description);
 }
 
-SceneDescription emptyScene() {
+SceneDescription emptyPeerScene() {
     SceneDescription scene;
     scene.gravity = {0, -kGravity};
     scene.settings.sleep = false;
@@ -97,7 +97,7 @@ double aheadOfParabola(const PeerSettings& peer, double time, double dt) {
 }
 
 TEST(PeerRunner, FreeFallIsTheClosedFormOfEachIntegrator) {
-    SceneDescription scene = emptyScene();
+    SceneDescription scene = emptyPeerScene();
     scene.settings.dt = 1.0 / 64;
     BodyDescription& body = add(scene, "box", SceneBodyType::dynamic, {1, 20}, {0.5, 0.25});
     body.velocity = {2, 3};
@@ -112,7 +112,7 @@ TEST(PeerRunner, FreeFallIsTheClosedFormOfEachIntegrator) {
 }
 
 TEST(PeerRunner, EnergyIsThatOfTheExactMass) {
-    SceneDescription scene = emptyScene();
+    SceneDescription scene = emptyPeerScene();
     BodyDescription& body = add(scene, "box", SceneBodyType::dynamic, {1, 2}, {0.5, 0.25});
     body.shapes[0].density = 3;
     body.velocity = {2, 1};
@@ -132,7 +132,7 @@ TEST(PeerRunner, EnergyIsThatOfTheExactMass) {
 }
 
 TEST(PeerRunner, BoxRestsWhereItIsPut) {
-    SceneDescription scene = emptyScene();
+    SceneDescription scene = emptyPeerScene();
     add(scene, "ground", SceneBodyType::fixed, {0, -1}, {10, 1});
     add(scene, "box", SceneBodyType::dynamic, {0.25, 0.5}, {0.5, 0.5});
     for (const PeerSettings& peer : peers()) {
@@ -150,7 +150,7 @@ TEST(PeerRunner, FrictionOfAPairIsThatOfItsShapes) {
     constexpr double kFriction = 0.3;
     const DVec2 down{std::cos(kAngle), -std::sin(kAngle)};
     const DVec2 out{std::sin(kAngle), std::cos(kAngle)};
-    SceneDescription scene = emptyScene();
+    SceneDescription scene = emptyPeerScene();
     add(scene, "slope", SceneBodyType::fixed, -1.0 * out, {100, 1}).angle = -kAngle;
     add(scene, "block", SceneBodyType::dynamic, 0.5 * out, {0.5, 0.5}).angle = -kAngle;
     for (BodyDescription& body : scene.bodies) { body.shapes[0].friction = kFriction; }
@@ -163,7 +163,7 @@ TEST(PeerRunner, FrictionOfAPairIsThatOfItsShapes) {
 
 /// What mixes by rules of its own is mixed so by those engines that can, and refused by the other.
 TEST(PeerRunner, MixingRulesAreThoseOfTheScene) {
-    SceneDescription scene = emptyScene();
+    SceneDescription scene = emptyPeerScene();
     ShapeDescription& floor = add(scene, "floor", SceneBodyType::fixed, {0, -1}, {100, 1}).shapes[0];
     floor.friction = 0.1;
     floor.restitution = 1;
@@ -189,7 +189,7 @@ TEST(PeerRunner, MixingRulesAreThoseOfTheScene) {
 TEST(PeerRunner, RollingResistanceIsThatOfItsShapes) {
     constexpr double kResistance = 0.06;
     constexpr double kRadius = 0.5;
-    SceneDescription scene = emptyScene();
+    SceneDescription scene = emptyPeerScene();
     add(scene, "ground", SceneBodyType::fixed, {0, -1}, {100, 1});
     BodyDescription& ball = add(scene, "ball", SceneBodyType::dynamic, {0, kRadius}, {0.5, 0.5});
     ball.shapes[0].geometry = CircleGeometry{{0, 0}, kRadius};
@@ -207,7 +207,7 @@ TEST(PeerRunner, RollingResistanceIsThatOfItsShapes) {
 
 /// Ice, ten metres of rough ground, and ice, along one chain.
 TEST(PeerRunner, FrictionOfAChainIsThatOfItsSegments) {
-    SceneDescription scene = emptyScene();
+    SceneDescription scene = emptyPeerScene();
     ChainGeometry ground{{{60, 0}, {20, 0}, {10, 0}, {-60, 0}, {-60, -5}, {60, -5}}, true};
     for (const double friction : {0.0, 0.5, 0.0, 0.0, 0.0, 0.0}) {
         ground.surfaces.push_back(SurfaceDescription{.friction = friction});
@@ -230,7 +230,7 @@ TEST(PeerRunner, FrictionOfAChainIsThatOfItsSegments) {
 
 /// A bar between a hinge and a rod: both ends stay where the joints hold them, and what is filtered passes.
 TEST(PeerRunner, JointsHoldAndFiltersPass) {
-    SceneDescription scene = emptyScene();
+    SceneDescription scene = emptyPeerScene();
     scene.settings.dt = 1.0 / 240;  // Chipmunk takes back a tenth of an error each 1/60 s only
     add(scene, "anchor", SceneBodyType::fixed, {0, 0}, {0.1, 0.1}).shapes[0].filter.mask = 0;
     add(scene, "bar", SceneBodyType::dynamic, {1, 0}, {1, 0.1}).angle = std::numbers::pi;
@@ -258,7 +258,7 @@ TEST(PeerRunner, JointsHoldAndFiltersPass) {
 }
 
 TEST(PeerRunner, WhatIsDisabledTakesNoPart) {
-    SceneDescription scene = emptyScene();
+    SceneDescription scene = emptyPeerScene();
     add(scene, "hung", SceneBodyType::dynamic, {0, 5}, {0.5, 0.5}).enabled = false;
     add(scene, "falls", SceneBodyType::dynamic, {0, 7}, {0.5, 0.5});
     for (const PeerSettings& peer : peers()) {
@@ -275,7 +275,7 @@ TEST(PeerRunner, WhatIsDisabledTakesNoPart) {
 }
 
 TEST(PeerRunner, WhatAnEngineLacksIsRefused) {
-    SceneDescription scene = emptyScene();
+    SceneDescription scene = emptyPeerScene();
     add(scene, "a", SceneBodyType::dynamic, {0, 0}, {0.5, 0.5});
     add(scene, "b", SceneBodyType::dynamic, {2, 0}, {0.5, 0.5});
     join(scene, "a", "b", PulleyDescription{{0, 3}, {2, 3}, {0, 0}, {2, 0}, 1, {}});

@@ -11,7 +11,7 @@ using build::addFixed;
 using build::circle;
 using build::segment;
 
-constexpr double kRadius = 0.1;
+constexpr double kBounceRadius = 0.1;
 constexpr int kBounces = 20;
 
 /// The free flights of a ball: when and how high above the floor each of them peaks, told from one frame of each.
@@ -26,7 +26,7 @@ std::vector<Apex> apexesOf(const Frames& frames) {
         const BodyFrame& ball = frame.bodies[1];
         if (apexes.empty() || (before < 0 && ball.velocity.y >= 0)) {
             const double rise = ball.velocity.y / kGravity;
-            apexes.push_back({frame.time + rise, ball.position.y - kRadius + 0.5 * rise * ball.velocity.y});
+            apexes.push_back({frame.time + rise, ball.position.y - kBounceRadius + 0.5 * rise * ball.velocity.y});
         }
         before = ball.velocity.y;
     }
@@ -44,7 +44,7 @@ Case drop(double speed) {
     const double period = 2 * speed / kGravity;
     Case c{"bounce", name, emptyScene(name), std::lround((kBounces + 1) * period * 60), {}, {}, false};
     addFixed(c.scene, "floor", {0, 0}, {segment({-10, 0}, {10, 0})});
-    addDynamic(c.scene, "ball", {0, kRadius + 0.5 * speed * speed / kGravity}, {circle(kRadius)});
+    addDynamic(c.scene, "ball", {0, kBounceRadius + 0.5 * speed * speed / kGravity}, {circle(kBounceRadius)});
     setSurface(c.scene, 0, 1);
     const auto lost = [period](const Frames& frames) {
         const std::vector<Apex> apexes = apexesOf(frames);
@@ -70,10 +70,10 @@ Case pingPong(double speed) {
     const std::string name = "ping-pong-" + std::to_string(static_cast<int>(speed));
     Case c{"bounce", name, emptyScene(name, 0), 600, {}, {}, false};
     addFixed(c.scene, "walls", {0, 0}, {segment({-5, -5}, {-5, 5}), segment({5, -5}, {5, 5})});
-    addDynamic(c.scene, "ball", {0.37, 0}, {circle(kRadius)}).velocity = {speed, 0};
+    addDynamic(c.scene, "ball", {0.37, 0}, {circle(kBounceRadius)}).velocity = {speed, 0};
     setSurface(c.scene, 0, 1);
     c.measures = {{"impacts missed", "1", [speed](const Frames& frames) {
-                       const double gap = 10 - 2 * kRadius;
+                       const double gap = 10 - 2 * kBounceRadius;
                        const double exact = std::floor((speed * frames.back().time + 0.37 + 0.5 * gap) / gap);
                        int made = 0;
                        for (std::size_t i = 1; i < frames.size(); ++i) {

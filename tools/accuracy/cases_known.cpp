@@ -16,7 +16,7 @@ using build::box;
 using build::circle;
 using build::hinge;
 
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kOneDegree = std::numbers::pi / 180;
 
 Case projectile() {
     Case c{"known", "projectile", emptyScene("projectile"), 120, {}, {}, false};
@@ -74,7 +74,7 @@ Case pendulum(double degrees) {
     const std::string name = "pendulum-" + std::to_string(static_cast<int>(degrees));
     Case c{"known", name, emptyScene(name), 3600, {}, {}, false};
     constexpr double kRadius = 0.1;
-    const double start = degrees * kDegree;
+    const double start = degrees * kOneDegree;
     addFixed(c.scene, "pivot", {0, 0}, {circle(0.02)}).shapes[0].filter.mask = 0;
     addDynamic(c.scene, "bob", {std::sin(start), -std::cos(start)}, {circle(kRadius)});
     hinge(c.scene, "pivot", "bob", {0, 0});
@@ -174,7 +174,7 @@ Case pendulumCradle() {
     Case c{"known", "cradle-pendulums", emptyScene("cradle-pendulums"), 600, {}, {}, false};
     constexpr double kLength = 5;
     constexpr double kRadius = 0.2;
-    const double start = -45 * kDegree;
+    const double start = -45 * kOneDegree;
     for (int i = 0; i < 5; ++i) {
         const std::string ball = "ball" + std::to_string(i);
         const DVec2 top{2 * kRadius * i, kLength};

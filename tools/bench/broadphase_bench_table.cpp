@@ -12,7 +12,7 @@ namespace swept::bench {
 namespace {
 
 template <class Get>
-auto distinct(std::span<const BroadphaseRow> rows, const Get& get) {
+auto distinctOf(std::span<const BroadphaseRow> rows, const Get& get) {
     std::vector<std::decay_t<decltype(get(rows.front()))>> values;
     for (const BroadphaseRow& row : rows) {
         if (std::find(values.begin(), values.end(), get(row)) == values.end()) { values.push_back(get(row)); }
@@ -20,8 +20,8 @@ auto distinct(std::span<const BroadphaseRow> rows, const Get& get) {
     return values;
 }
 
-const auto kScene = [](const BroadphaseRow& row) { return row.scene; };
-const auto kMethod = [](const BroadphaseRow& row) { return row.method; };
+const auto kSceneOfRow = [](const BroadphaseRow& row) { return row.scene; };
+const auto kMethodOfRow = [](const BroadphaseRow& row) { return row.method; };
 const auto kProxies = [](const BroadphaseRow& row) { return row.proxies; };
 
 std::vector<BroadphaseRow> ofScene(std::span<const BroadphaseRow> rows, const std::string& scene) {
@@ -41,7 +41,7 @@ const BroadphaseRow* find(std::span<const BroadphaseRow> rows, const std::string
 
 bool isEngine(const std::string& method) { return method.starts_with("Box2D"); }
 
-std::string percentText(double share) { return threeDigits(100 * share) + " %"; }
+std::string threeDigitPercent(double share) { return threeDigits(100 * share) + " %"; }
 
 std::string growthText(std::span<const GrowthRow> growth, const std::string& scene, const std::string& method) {
     for (const GrowthRow& row : growth) {
@@ -52,13 +52,13 @@ std::string growthText(std::span<const GrowthRow> growth, const std::string& sce
 
 void writeDistribution(std::ostream& out, std::span<const BroadphaseRow> rows, std::span<const GrowthRow> growth) {
     const std::string& scene = rows.front().scene;
-    const auto sizes = distinct(rows, kProxies);
+    const auto sizes = distinctOf(rows, kProxies);
     out << '\n' << scene << ": ns per renewed box to hand it over and to find new pairs, by number of proxies\n";
     std::vector<std::string> head = {""};
     for (const std::uint32_t size : sizes) { head.push_back(std::to_string(size)); }
     for (const char* const title : {"growth", "build", "bytes", "box query", "ray", "tests"}) { head.push_back(title); }
     TextTable table(head);
-    for (const std::string& method : distinct(rows, kMethod)) {
+    for (const std::string& method : distinctOf(rows, kMethodOfRow)) {
         std::vector<std::string> line = {method};
         const BroadphaseRow* last = nullptr;
         bool agrees = true;
@@ -81,7 +81,7 @@ void writeDistribution(std::ostream& out, std::span<const BroadphaseRow> rows, s
         if (row == nullptr) { continue; }
         out << "  " << size << ": " << threeDigits(row->movedPerStep) << " boxes renewed and "
             << threeDigits(row->newPairs) << " new pairs a step, " << threeDigits(row->alivePairs) << " alive, "
-            << percentText(row->falseShare) << " of them false\n";
+            << threeDigitPercent(row->falseShare) << " of them false\n";
     }
 }
 
@@ -90,7 +90,7 @@ void writePeer(std::ostream& out, std::span<const BroadphaseRow> rows) {
     out << '\n'
         << first.scene << ": " << first.proxies << " proxies; a step: " << threeDigits(first.movedPerStep)
         << " boxes renewed, " << threeDigits(first.newPairs) << " new pairs; " << threeDigits(first.alivePairs)
-        << " alive, " << percentText(first.falseShare) << " of them false\n";
+        << " alive, " << threeDigitPercent(first.falseShare) << " of them false\n";
     TextTable table({"ns per renewed box", "hand over", "pairs", "both", "us a step", "Mpairs/s", "build", "bytes",
                      "box query", "ray", "tests"});
     for (const BroadphaseRow& row : rows) {
@@ -110,9 +110,9 @@ void writePeer(std::ostream& out, std::span<const BroadphaseRow> rows) {
 
 std::vector<GrowthRow> growthOf(std::span<const BroadphaseRow> rows) {
     std::vector<GrowthRow> growth;
-    for (const std::string& scene : distinct(rows, kScene)) {
+    for (const std::string& scene : distinctOf(rows, kSceneOfRow)) {
         const std::vector<BroadphaseRow> here = ofScene(rows, scene);
-        for (const std::string& method : distinct(here, kMethod)) {
+        for (const std::string& method : distinctOf(here, kMethodOfRow)) {
             double n = 0, x = 0, y = 0, xx = 0, xy = 0;
             for (const BroadphaseRow& row : here) {
                 if (row.method != method || !(row.stepTime() > 0)) { continue; }
@@ -132,7 +132,7 @@ std::vector<GrowthRow> growthOf(std::span<const BroadphaseRow> rows) {
 
 std::vector<RivalRow> rivalry(std::span<const BroadphaseRow> rows) {
     std::vector<RivalRow> result;
-    const std::vector<std::string> methods = distinct(rows, kMethod);
+    const std::vector<std::string> methods = distinctOf(rows, kMethodOfRow);
     for (const std::string& rival : methods) {
         if (!isEngine(rival)) { continue; }
         for (const std::string& method : methods) {
@@ -164,11 +164,13 @@ std::vector<RivalRow> rivalry(std::span<const BroadphaseRow> rows) {
 
 void writeDistributionTables(std::ostream& out, std::span<const BroadphaseRow> rows) {
     const std::vector<GrowthRow> growth = growthOf(rows);
-    for (const std::string& scene : distinct(rows, kScene)) { writeDistribution(out, ofScene(rows, scene), growth); }
+    for (const std::string& scene : distinctOf(rows, kSceneOfRow)) {
+        writeDistribution(out, ofScene(rows, scene), growth);
+    }
 }
 
 void writePeerTables(std::ostream& out, std::span<const BroadphaseRow> rows) {
-    for (const std::string& scene : distinct(rows, kScene)) { writePeer(out, ofScene(rows, scene)); }
+    for (const std::string& scene : distinctOf(rows, kSceneOfRow)) { writePeer(out, ofScene(rows, scene)); }
 }
 
 void writeRivalry(std::ostream& out, std::span<const BroadphaseRow> rows) {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kBodies = 1000;
 constexpr int kSteps = 60;
-constexpr int kTurns = 3;
+constexpr int kCrowdTurns = 3;
 
 void addBox(Crowd& crowd, double half) {
     crowd.half = half;
@@ -108,7 +108,7 @@ std::vector<CrowdRow> measure(const Crowd& crowd) {
         rows.push_back({.crowd = crowd.name, .engine = engine->name()});
         rows.back().microseconds = std::numeric_limits<double>::infinity();
     }
-    for (int turn = 0; turn < kTurns; ++turn) {
+    for (int turn = 0; turn < kCrowdTurns; ++turn) {
         for (std::size_t i = 0; i < all.size(); ++i) {
             all[i]->begin(crowd);
             const Stopwatch watch;
@@ -130,7 +130,7 @@ std::vector<CrowdRow> measure(const Crowd& crowd) {
     return rows;
 }
 
-std::string percent(double share) { return share == 0 ? "0" : roundedText(100 * share, 3) + " %"; }
+std::string percentOrNone(double share) { return share == 0 ? "0" : roundedText(100 * share, 3) + " %"; }
 
 }  // namespace
 
@@ -151,8 +151,8 @@ void writeCrowdTable(std::ostream& out, const std::vector<CrowdRow>& rows) {
            "| --- | --- | --- | --- | --- | --- | --- |\n";
     for (const CrowdRow& row : rows) {
         out << "| " << row.crowd << " | " << row.engine << " | " << roundedText(row.microseconds, 3) << " | "
-            << roundedText(row.nanoseconds, 3) << " | " << percent(row.outside) << " | " << percent(row.energyError)
-            << " | " << (row.lost < 0 ? "-" : percent(row.lost)) << " |\n";
+            << roundedText(row.nanoseconds, 3) << " | " << percentOrNone(row.outside) << " | "
+            << percentOrNone(row.energyError) << " | " << (row.lost < 0 ? "-" : percentOrNone(row.lost)) << " |\n";
     }
 }
 

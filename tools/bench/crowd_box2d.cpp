@@ -8,7 +8,7 @@ namespace {
 constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 3;
 
-b2Vec2 toBox2d(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+b2Vec2 crowdVector(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 
 /// Box2D 2.4.1 with its own advice for iterations; continuous collision and sub-stepping of bodies as they come.
 class Box2dCrowd final : public CrowdEngine {
@@ -26,7 +26,7 @@ public:
         const b2BodyDef fixedDef;
         for (const CrowdWall& wall : crowd.walls) {
             b2EdgeShape edge;
-            edge.SetTwoSided(toBox2d(wall.p), toBox2d(wall.q));
+            edge.SetTwoSided(crowdVector(wall.p), crowdVector(wall.q));
             fixture.shape = &edge;
             world_->CreateBody(&fixedDef)->CreateFixture(&fixture);
         }
@@ -38,9 +38,9 @@ public:
         for (const CrowdBody& body : crowd.bodies) {
             b2BodyDef def;
             def.type = b2_dynamicBody;
-            def.position = toBox2d(body.place);
+            def.position = crowdVector(body.place);
             def.angle = static_cast<float>(body.angle);
-            def.linearVelocity = toBox2d(body.velocity);
+            def.linearVelocity = crowdVector(body.velocity);
             def.angularVelocity = static_cast<float>(body.spin);
             fixture.shape = body.isDisk ? static_cast<const b2Shape*>(&disk) : &square;
             bodies_.push_back(world_->CreateBody(&def));

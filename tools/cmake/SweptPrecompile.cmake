@@ -7,15 +7,6 @@ option(SWEPT_PRECOMPILE "Precompile the standard headers" ${PROJECT_IS_TOP_LEVEL
 
 set(SWEPT_STANDARD_HEADERS <algorithm> <array> <cmath> <functional> <limits> <memory> <optional> <span> <string> <vector>)
 
-# swept_precompile(TARGET HEADER...): these headers and the common ones of the standard library, for this target alone.
-function(swept_precompile target)
-    if(NOT SWEPT_PRECOMPILE)
-        return()
-    endif()
-    target_precompile_headers(${target} PRIVATE ${SWEPT_STANDARD_HEADERS} ${ARGN})
-    swept_precompile_options(${target})
-endfunction()
-
 # swept_add_prelude(NAME): a target with nothing to compile but its precompiled header, for those that share it. The options
 # that it is given have to be theirs; a macro that they define it must not.
 function(swept_add_prelude name)
@@ -27,9 +18,9 @@ function(swept_add_prelude name)
     swept_precompile_options(${name})
 endfunction()
 
-# swept_share_prelude(TARGET PRELUDE)
+# swept_share_prelude(TARGET PRELUDE), where there is that prelude
 function(swept_share_prelude target prelude)
-    if(SWEPT_PRECOMPILE)
+    if(SWEPT_PRECOMPILE AND TARGET ${prelude})
         target_precompile_headers(${target} REUSE_FROM ${prelude})
         swept_precompile_options(${target})
     endif()

@@ -9,8 +9,8 @@ foreach(label quick quick_long parallel parallel_long)
     add_custom_target(swept_tests_${label})
 endforeach()
 
-# Reading gtest is half of what a small suite takes to compile, so it is read once for all of them, and once more for those
-# that read JSON, or work hard. The targets have the suites' compiler options and nothing of their own to
+# Reading gtest is half of what a small suite takes to compile, so it is read once for all of them; and once more for those
+# that read JSON, or work hard, where they are compiled file by file. The targets have the suites' compiler options and nothing of their own to
 # compile. OPTIONS as of swept_configure_test.
 function(swept_add_test_prelude name)
     cmake_parse_arguments(PRELUDE "" "" "OPTIONS" ${ARGN})
@@ -43,10 +43,12 @@ function(swept_add_test name)
     set(options "")
     set(prelude swept_test_prelude)
     if(TEST_READS_JSON)
-        set(prelude swept_test_json_prelude)
+        if(TARGET swept_test_json_prelude)
+            set(prelude swept_test_json_prelude)
+        endif()
         target_link_libraries(${name} PRIVATE nlohmann_json::nlohmann_json)
     endif()
-    if(TEST_HAS_ORACLE AND TARGET swept_test_oracle_prelude)
+    if(TEST_HAS_ORACLE AND NOT CMAKE_CROSSCOMPILING)  # there all are compiled like these
         set(prelude swept_test_oracle_prelude)
         set(options HAS_ORACLE)
     endif()

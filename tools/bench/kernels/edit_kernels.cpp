@@ -6,14 +6,13 @@
 #include <swept/engine/world.h>
 
 #include "edit_rounds.h"
+#include "kernel_precision.h"
 
 /// What it costs to destroy bodies of a pile, and tiles of a level, between steps. Compiled once per precision;
 /// box2d_edits.cpp is the same there.
 
 namespace swept::bench {
 namespace {
-
-constexpr auto kPrecision = sizeof(Real) == sizeof(float) ? "f32" : "f64";
 
 BodyId addBox(World& world, int place) {
     const DVec2 position{1.02 * (place % kEditWide), 0.5 + 1.02 * (place / kEditWide)};
@@ -56,7 +55,7 @@ void replaceTiles(benchmark::State& state) {
     }
 }
 
-void registerAll() {
+void registerAllEditKernels() {
     const std::string precision = kPrecision;
     benchmark::RegisterBenchmark(("edit/destroy/" + precision).c_str(), destroyBodies)
         ->Arg(1000)
@@ -69,9 +68,9 @@ void registerAll() {
 }  // namespace
 
 #if defined(SWEPT_F64)
-void registerEditKernelsF64() { registerAll(); }
+void registerEditKernelsF64() { registerAllEditKernels(); }
 #else
-void registerEditKernelsF32() { registerAll(); }
+void registerEditKernelsF32() { registerAllEditKernels(); }
 #endif
 
 }  // namespace swept::bench

@@ -4,14 +4,13 @@
 
 #include <swept/engine/world.h>
 
+#include "kernel_precision.h"
 #include "kernels.h"
 
 /// What a step costs bodies that nothing holds. Compiled once per precision; flight_chipmunk.cpp is the same there.
 
 namespace swept::bench {
 namespace {
-
-constexpr auto kPrecision = sizeof(Real) == sizeof(float) ? "f32" : "f64";
 
 void fly(benchmark::State& state) {
     World world;
@@ -29,7 +28,7 @@ void fly(benchmark::State& state) {
     for ([[maybe_unused]] auto _ : state) { (void)world.step(kFlightStep); }
 }
 
-void registerAll() {
+void registerAllFlightKernels() {
     const std::string name = std::string("flight/") + kPrecision;
     benchmark::RegisterBenchmark(name.c_str(), fly)->Arg(1)->Arg(10000);
 }
@@ -37,9 +36,9 @@ void registerAll() {
 }  // namespace
 
 #if defined(SWEPT_F64)
-void registerFlightKernelsF64() { registerAll(); }
+void registerFlightKernelsF64() { registerAllFlightKernels(); }
 #else
-void registerFlightKernelsF32() { registerAll(); }
+void registerFlightKernelsF32() { registerAllFlightKernels(); }
 #endif
 
 }  // namespace swept::bench

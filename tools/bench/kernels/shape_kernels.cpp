@@ -8,6 +8,7 @@
 #include <swept/shapes/penetration.h>
 #include <swept/shapes/ray_cast.h>
 
+#include "kernel_precision.h"
 #include "kernels.h"
 #include "shapes_of_case.h"
 
@@ -17,7 +18,6 @@ namespace swept::bench {
 namespace {
 
 constexpr int kPairs = 1000;
-constexpr auto kPrecision = sizeof(Real) == sizeof(float) ? "f32" : "f64";
 
 struct Query {
     Polygon a;

@@ -9,6 +9,7 @@
 #include <swept/solver/wide/wide_contacts.h>
 
 #include "../bench_random.h"
+#include "kernel_precision.h"
 #include "kernels.h"
 
 /// Passes of the contact solver against what the machine computes and reads at best. Compiled once per precision.
@@ -23,8 +24,6 @@
 
 namespace swept::bench {
 namespace {
-
-constexpr auto kPrecision = sizeof(Real) == sizeof(float) ? "f32" : "f64";
 
 /// Additions, subtractions, products and quotients of the kernel, per point of a contact with two, counted by hand.
 constexpr double kFlopsOfWarmStart = 17;
@@ -134,7 +133,7 @@ void measureReading(benchmark::State& state) {
         benchmark::Counter(static_cast<double>(state.range(0)), benchmark::Counter::kIsIterationInvariantRate);
 }
 
-void registerAll() {
+void registerAllSolverKernels() {
     constexpr Real h = Real(1) / 240;
     for (const int side : {10, 64, 400}) {
         registerPass("warmStart", side, kFlopsOfWarmStart,
@@ -158,9 +157,9 @@ void registerAll() {
 }  // namespace
 
 #if defined(SWEPT_F64)
-void registerSolverKernelsF64() { registerAll(); }
+void registerSolverKernelsF64() { registerAllSolverKernels(); }
 #else
-void registerSolverKernelsF32() { registerAll(); }
+void registerSolverKernelsF32() { registerAllSolverKernels(); }
 #endif
 
 }  // namespace swept::bench
