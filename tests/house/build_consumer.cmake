@@ -97,7 +97,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR} -G ${GE
                         -DSWEPT_ROOT=${SWEPT_ROOT} -DCONSUME=${CONSUME} -DPRECISION=${PRECISION}
                         -DONLY_LAYERS=${ONLY_LAYERS} -DMISMATCH=${MISMATCH} "-DMAIN=${MAIN}"
                         -DCOMPONENTS=${COMPONENTS} -DSWEPT_SIMD=${SWEPT_SIMD}
-                        -DSWEPT_SIMD_FEW=ON -DSWEPT_UNITY=ON -DSWEPT_PRECOMPILE=ON
+                        -DSWEPT_SIMD_FEW=ON -DSWEPT_UNITY=ON -DSWEPT_PRECOMPILE=OFF
                 OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
     message(FATAL_ERROR "configuring the project failed:\n${output}")
