@@ -1,5 +1,6 @@
 #include <swept/samples/world_builder.h>
 
+#include "../support/some_of.h"
 #include "all_scenes.h"
 #include "mixed_scene.h"
 #include "vandal.h"
@@ -78,7 +79,7 @@ TEST(WorldCopy, WithEveryBroadphase) {
 
 /// In the middle of random calls, between steps or not, whose ends are still to be told.
 TEST(WorldCopy, OfWhatIsBeingChanged) {
-    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    for (std::uint64_t seed = 0; seed < someOf(8U); ++seed) {
         Vandal original(seed, Sizes::usual);
         for (int i = 0; i < 400; ++i) {
             original.act();

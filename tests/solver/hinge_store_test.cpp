@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "../support/some_of.h"
 #include "batch_fields.h"
 #include "random_solve.h"
 
@@ -92,7 +93,7 @@ TEST(HingeStore, IsSolvedToTheBitLikeConstraintsOfTheBatch) {
 }
 
 TEST(HingeStore, IsSolvedToTheSameBitsAgain) {
-    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    for (std::uint64_t seed = 0; seed < someOf(100U); ++seed) {
         Solver used;
         for (int round = 0; round < 6; ++round) {
             const auto make = [seed, round] {
