@@ -7,8 +7,8 @@
 option(SWEPT_UNITY "Compile several files at once" OFF)
 
 # At most so many. Of 24 the release tree took 634 s to compile on two cores, of these (and with fewer programs of tests and
-# fewer precompiled headers) 541; what is measured took 0.999 of the time (as above, three runs in turns). One of them takes
-# 0.7 GB.
+# fewer precompiled headers) 527 to 541; what is measured took 0.999 of the time (as above, three runs in turns). The compiler
+# takes up to 0.8 GB for one of them.
 set(SWEPT_UNITY_FILES 36)
 
 # swept_unite(TARGET): in groups of about the same size. Sources that the target is given afterwards are compiled alone.
