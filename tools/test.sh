@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# Builds everything and runs the tests with the default compiler, both precisions (the engine's longest suites in f32).
+# Builds everything and runs the tests with the default compiler: the layers' suites in f32, shapes, scenes and tools in both
+# precisions.
 #   tools/test.sh [--sanitizers] [--long] [--werror]
 # --sanitizers adds the same tests by clang 14: those labelled quick with the address and undefined behaviour sanitizers,
 # those labelled parallel with thread sanitizer. `.ci/run` does so for every change.
-# --long adds all of that, the tests labelled long, all random cases of the others (else some try a third), the layers'
-# suites in f64 to the sanitizers, a minute of each fuzzer (tests/fuzz), the solver's suite built without optimisation (kernels
-# for several instruction sets once shared functions there, and crashed), and the same bits on other machines
-# (tools/portability.sh).
+# --long adds all of that, the tests labelled long (also all suites in f64, which sanitizers then run, too), all random
+# cases of the others (else some try a third), a minute of each fuzzer (tests/fuzz), the solver's suite built without
+# optimisation (kernels for several instruction sets once shared functions there, and crashed), and the same bits on other
+# machines (tools/portability.sh).
 # --werror (also: CI=true in the environment) makes warnings errors.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -19,7 +20,7 @@ for argument in "$@"; do
         --long) long=yes sanitizers=yes ;;
         --sanitizers) sanitizers=yes ;;
         --werror) werror=ON ;;
-        -h | --help) sed -n '2,10s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+        -h | --help) sed -n '2,11s/^# \?//p' "${BASH_SOURCE[0]}" && exit 0 ;;
         *) fail "unknown argument $argument (see --help)" ;;
     esac
 done

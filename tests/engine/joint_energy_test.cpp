@@ -102,7 +102,7 @@ TEST(JointEnergy, OfATautBridgeThatABoxFallsOn) {
 TEST(JointEnergy, OfAChainThatIsBentOverACorner) {
     for (const int links : {2, 3, 6}) {
         for (const double load : {10.0, 100.0}) {
-            for (int i = 0; i < 10; ++i) {
+            for (int i = 0; i < someOf(10); ++i) {
                 const double length = 0.27;
                 const double off = 0.012 * i;
                 World world = makeWorld(settingsInProfile(Profile::accurate));
@@ -132,7 +132,7 @@ TEST(JointEnergy, OfAChainThatIsBentOverACorner) {
 
 /// A chain that tumbles down stairs, and lies on itself. (Of 24 such three had a step that gained up to 0.8 of it all.)
 TEST(JointEnergy, OfAChainThatFallsDownStairs) {
-    for (int run = 0; run < 8; ++run) {
+    for (int run = 0; run < someOf(8); ++run) {
         World world = makeWorld(settingsInProfile(Profile::accurate));
         for (int i = 0; i < 12; ++i) { addStatic(world, box(0.5, 0.25), material(0.6), {0.7 * i, -0.5 * i}); }
         std::vector<BodyId> bodies;
@@ -264,7 +264,7 @@ TEST(JointEnergy, TwoPinsOnOneFaceBearWhatOneWould) {
 TEST(JointEnergy, OfTwoPinsOnOneFaceThatFall) {
     for (const Profile profile : {Profile::accurate, Profile::fast}) {
         Random random(4);
-        for (int i = 0; i < 60; ++i) {
+        for (int i = 0; i < someOf(60); ++i) {
             const double height = random.range(2, 4);
             TwoPins pair(profile, random, height, vec(random.range(-5, 5), random.range(-8, 0)));
             addStatic(pair.world, box(100, 0.5), material(0.6), {0, -0.5});

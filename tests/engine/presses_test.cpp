@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../support/random.h"
+#include "../support/some_of.h"
 #include "joint_support.h"
 
 /// What is pressed between two bodies is squeezed by as much as the load asks for, and no farther: however light it is,
@@ -135,7 +136,7 @@ struct RammedCorner {
 
 TEST(Presses, DoNotBlowUpWhatTheyRamIntoACorner) {
     for (const Profile profile : kProfiles) {
-        for (std::uint64_t seed = 1400; seed < 1500; ++seed) {
+        for (std::uint64_t seed = 1400; seed < 1400 + someOf(100U); ++seed) {
             RammedCorner corner(profile, seed);
             World& world = corner.world;
             double fastest = 0;

@@ -82,12 +82,12 @@ endforeach()
     set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${labels_file})
 endfunction()
 
-# swept_add_layer_test(NAME [HAS_ORACLE] [LONG_IN_F64] SOURCES file... [LAYERS layer...] [LIBRARIES target...] [LABELS label...])
-# The same suite for both precisions: NAME_f32 and NAME_f64, linked to swept_LAYER_f32 and swept_LAYER_f64. What is
-# quick or parallel in f32 is labelled quick_long or parallel_long in f64: sanitizers see the same sources twice only in the
-# long run. LONG_IN_F64: so does everybody, as it takes long and hardly depends on the precision.
+# swept_add_layer_test(NAME [HAS_ORACLE] [SHORT_IN_BOTH] SOURCES file... [LAYERS layer...] [LIBRARIES target...] [LABELS label...])
+# The same suite for both precisions: NAME_f32 and NAME_f64, linked to swept_LAYER_f32 and swept_LAYER_f64. In f64 it is of
+# the long run, for sanitizers (quick_long, parallel_long) as for all, since few changes break only one precision.
+# SHORT_IN_BOTH: but this one is not, as rounding decides there, or as it runs whole scenes.
 function(swept_add_layer_test name)
-    cmake_parse_arguments(TEST "HAS_ORACLE;LONG_IN_F64" "" "SOURCES;LAYERS;LIBRARIES;LABELS" ${ARGN})
+    cmake_parse_arguments(TEST "HAS_ORACLE;SHORT_IN_BOTH" "" "SOURCES;LAYERS;LIBRARIES;LABELS" ${ARGN})
     set(options "")
     if(TEST_HAS_ORACLE)
         set(options HAS_ORACLE)
@@ -100,7 +100,7 @@ function(swept_add_layer_test name)
         set(labels ${TEST_LABELS})
         if(precision STREQUAL f64)
             list(TRANSFORM labels REPLACE "^(quick|parallel)$" "\\1_long")
-            if(TEST_LONG_IN_F64)
+            if(NOT TEST_SHORT_IN_BOTH)
                 list(APPEND labels long)
             endif()
         endif()
