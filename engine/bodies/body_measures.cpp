@@ -11,6 +11,8 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
+bool isLine(const Shape& shape) { return shape.polygon.count == 2 && !(shape.polygon.radius > 0); }
+
 /// For sensors, which see bodies by all that these have, other sensors too (mode_sensors.cpp).
 void addPassed(WorldState& world, Body& body, const Shape& shape) {
     const Real passed = leastPassed(shape);
@@ -29,6 +31,7 @@ void addMeasures(WorldState& world, Body& body, std::span<const std::uint32_t> s
         shape.radius = radiusAbout(shape.polygon, body.localCenter);
         addPassed(world, body, shape);
         if (shape.def.sensor) { continue; }
+        body.hasLine = body.hasLine || isLine(shape);
         body.extent = body.extent > 0 ? std::min(body.extent, shape.extent) : shape.extent;
         body.widest = std::max(body.widest, shape.extent);
         body.radius = std::max(body.radius, shape.radius);
@@ -38,10 +41,7 @@ void addMeasures(WorldState& world, Body& body, std::span<const std::uint32_t> s
 
 }  // namespace
 
-Real leastPassed(const Shape& shape) {
-    const bool isLine = shape.polygon.count == 2 && !(shape.polygon.radius > 0);
-    return (isLine ? kTargetRatio : kFastRatio) * shape.extent;
-}
+Real leastPassed(const Shape& shape) { return (isLine(shape) ? kTargetRatio : kFastRatio) * shape.extent; }
 
 void measure(WorldState& world, std::uint32_t slot) {
     Body& body = world.bodies[slot];
@@ -50,7 +50,7 @@ void measure(WorldState& world, std::uint32_t slot) {
     body.radius = 0;
     body.reach = 0;
     body.leastPassed = std::numeric_limits<Real>::infinity();
-    body.hasSensor = false;
+    body.hasSensor = body.hasLine = false;
     addMeasures(world, body, body.shapes);
 }
 

@@ -195,10 +195,9 @@ Sweep pathOf(const WorldState& world, std::uint32_t slot) {
 bool movedFast(const WorldState& world, std::uint32_t slot, double share) {
     const Body& body = world.bodies[slot];
     const BodyMotion& motion = world.motions[slot];
-    const auto extent = static_cast<double>(body.extent);
     const double turned = std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);
-    const double slow = share * static_cast<double>(kFastRatio) * extent;
-    return extent > 0 && length(motion.center - body.startCenter) + turned > slow;
+    const double slow = share * static_cast<double>(body.slowRatio() * body.extent);
+    return body.extent > 0 && length(motion.center - body.startCenter) + turned > slow;
 }
 
 FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double time, double limit, FlightScratch& scratch,

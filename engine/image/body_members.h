@@ -10,11 +10,11 @@ namespace swept::inline SWEPT_PRECISION {
 
 template <MaybeConst<Body> T>
 constexpr auto allMembers(T& b) {
-    static_assert(areAllListed<Body>(45));
+    static_assert(areAllListed<Body>(46));
     return listed(b.inverseMass, b.inverseInertia, b.extent, b.widest, b.radius, b.reach, b.localCenter, b.force,
                   b.torque, b.groundNormal, b.ground, b.holdingJoints, b.awake, b.fresh, b.isPut, b.touchesDynamic,
                   b.hasContact, b.deepContact, b.sunk, b.bounces, b.rests, b.strikes, b.startled, b.fast, b.flung,
-                  b.hasSensor, b.role, b.searchDebt, b.soughtSteps, b.effort, b.startCenter, b.startAngle,
+                  b.hasSensor, b.hasLine, b.role, b.searchDebt, b.soughtSteps, b.effort, b.startCenter, b.startAngle,
                   b.leastPassed, b.def, b.shapes, b.joints, b.mass, b.inertia, b.lostTime, b.restCenter, b.restAngle,
                   b.restTime, b.restSteps, b.nextAsleep, b.heldIn);
 }

@@ -32,7 +32,7 @@ void resetBody(WorldState& world, std::uint32_t slot, Real restSpeed, Real dt) {
     // What just woke has no bound yet.
     const Real known = world.glances[slot].motion;
     const Real bound = known < 0 ? motionBound(world, slot, dt) : known;
-    body.fast = body.extent > 0 && bound > kFastRatio * body.extent;
+    body.fast = body.extent > 0 && bound > body.slowRatio() * body.extent;
     const bool isAtRest = isStill(body, motion, restSpeed, dt);
     if (!isAtRest) { body.soughtSteps = 0; }
     body.fresh = body.isPut = false;

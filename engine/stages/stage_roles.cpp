@@ -30,7 +30,7 @@ void startle(WorldState& world, const Contact& contact, Real dt) {
     if (mover.def.type != BodyType::kinematic || !mover.awake) { return; }
     Body& body = world.bodies[other];
     if (!(body.extent > 0)) { return; }
-    if (!(motionBound(world, kinematic, dt) > kFastRatio * contact.extent)) { return; }
+    if (!(motionBound(world, kinematic, dt) > body.slowRatio() * contact.extent)) { return; }
     const std::size_t before = world.awake.size();
     wake(world, other);
     resetBodies(world, std::span(world.awake).subspan(before), dt);

@@ -8,6 +8,7 @@
 #include "../../shapes/transform.h"
 #include "../body_def.h"
 #include "effort.h"
+#include "tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -64,6 +65,7 @@ struct Body {
     bool fast = false;       ///< this step: startled, or some point may move far (`kFastRatio` and its like)
     bool flung = false;      ///< this step: the solver moved it about as far as only a fast body may
     bool hasSensor = false;  ///< some of its shapes are sensors
+    bool hasLine = false;    ///< some of its solid shapes have no thickness at all
     BodyRole role = BodyRole::idle;
     std::uint16_t searchDebt = 0;   ///< what solving its island all at once cost lately (search_debt.h)
     std::uint16_t soughtSteps = 0;  ///< in which it was still, and its island not in balance (balance.h)
@@ -88,6 +90,8 @@ struct Body {
     std::uint32_t heldIn = 0xFFFFFFFFu;  ///< place in `HeldIslands`; then it counts as asleep here, not to the user
 
     bool isDynamic() const { return def.type == BodyType::dynamic; }
+    /// What part of an extent it moves in a step at most where it is not fast.
+    Real slowRatio() const { return hasLine ? kLineRatio : kFastRatio; }
 };
 
 /// Body pose from centre of mass and rotation, or angle.
