@@ -171,6 +171,7 @@ public:
 
     // --- shapes
     /// One of a static body wakes nobody: what sleeps where it is put sleeps on, in it, until something else wakes it.
+    /// A segment without a radius collides, on a dynamic body, as if it had one of 1/4096 of its length.
     /// Errors: as of `validate` (polygon.h); `negative` (density, friction); `outOfRange` with "restitution",
     /// "frictionMixing" and "restitutionMixing"; `notFinite`.
     Result<ShapeId> addShape(BodyId body, const Polygon& polygon, const ShapeDef& def = {});

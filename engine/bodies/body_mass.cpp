@@ -7,6 +7,7 @@
 #include "body_measures.h"
 #include "body_mode.h"
 #include "levers.h"
+#include "line_skin.h"
 #include "travel.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -42,7 +43,7 @@ void countBody(WorldState& world, const Body& body, std::int32_t sign) {
 void weigh(WorldState& world, std::span<const std::uint32_t> shapes) {
     for (const std::uint32_t slot : shapes) {
         const Shape& shape = world.shapes[slot];
-        world.shapeMasses[slot] = massOf(shape.polygon, shape.def.density);
+        world.shapeMasses[slot] = massOf(givenPolygon(shape), shape.def.density);
     }
 }
 

@@ -11,8 +11,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-bool isLine(const Shape& shape) { return shape.polygon.count == 2 && !(shape.polygon.radius > 0); }
-
 /// For sensors, which see bodies by all that these have, other sensors too (mode_sensors.cpp).
 void addPassed(WorldState& world, Body& body, const Shape& shape) {
     const Real passed = leastPassed(shape);
@@ -31,7 +29,7 @@ void addMeasures(WorldState& world, Body& body, std::span<const std::uint32_t> s
         shape.radius = radiusAbout(shape.polygon, body.localCenter);
         addPassed(world, body, shape);
         if (shape.def.sensor) { continue; }
-        body.hasLine = body.hasLine || isLine(shape);
+        body.hasLine = body.hasLine || shape.isLine;
         body.extent = body.extent > 0 ? std::min(body.extent, shape.extent) : shape.extent;
         body.widest = std::max(body.widest, shape.extent);
         body.radius = std::max(body.radius, shape.radius);
@@ -41,7 +39,7 @@ void addMeasures(WorldState& world, Body& body, std::span<const std::uint32_t> s
 
 }  // namespace
 
-Real leastPassed(const Shape& shape) { return (isLine(shape) ? kTargetRatio : kFastRatio) * shape.extent; }
+Real leastPassed(const Shape& shape) { return (shape.isLine ? kTargetRatio : kFastRatio) * shape.extent; }
 
 void measure(WorldState& world, std::uint32_t slot) {
     Body& body = world.bodies[slot];

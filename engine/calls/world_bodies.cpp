@@ -13,6 +13,7 @@
 #include "../solve/joint_results.h"
 #include "../state/number_range.h"
 #include "../world.h"
+#include "body_type.h"
 #include "joint_switch.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -56,25 +57,6 @@ Status checkTakesPart(const Body* body) {
     const Status dynamic = checkDynamic(body);
     if (!dynamic.ok()) { return dynamic; }
     return body->def.enabled ? Status::success() : Status{StatusCode::disabled, "body"};
-}
-
-/// @pre it is awake, if it can be
-void changeType(WorldState& world, std::uint32_t slot, BodyType type) {
-    dropContacts(world, slot);
-    Body& body = world.bodies[slot];
-    if (type == BodyType::fixed) {
-        removeFromAwake(world, slot);
-        body.awake = false;
-        body.role = BodyRole::idle;
-        world.motions[slot].velocity = {};
-        world.motions[slot].angularVelocity = 0;
-    }
-    body.force = {};
-    body.torque = 0;
-    body.groundNormal = {};
-    body.def.type = type;
-    body.mass = 0;
-    if (body.isDynamic()) { weigh(world, body.shapes); }
 }
 
 /// Its joints hold something else now, or nothing: they begin anew, and what is on them, too.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "../bodies/line_skin.h"
 #include "../state/world_state.h"
 #include "../world.h"
 #include "json_text.h"
@@ -135,7 +136,7 @@ void appendShape(std::string& text, const WorldState& world, const Shape& shape)
     if (shape.isChainSegment) {
         addChain(out, world, shape);
     } else {
-        addPolygon(out, shape.polygon);
+        addPolygon(out, givenPolygon(shape));
     }
     out.addUnless("density", def.density, usual.density);
     addSurface(out, surfaceOf(def), surfaceOf(usual));

@@ -6,6 +6,7 @@
 #include "../bodies/awake.h"
 #include "../bodies/body_mass.h"
 #include "../bodies/body_measures.h"
+#include "../bodies/line_skin.h"
 #include "../bodies/proxies.h"
 #include "../bodies/world_boxes.h"
 #include "../contacts/pairs_of_shapes.h"
@@ -72,15 +73,26 @@ Real spanOf(std::span<const Vec2> points) {
     return std::max(upper.x - lower.x, upper.y - lower.y);
 }
 
-/// Puts a shape into the world: slot, proxy, list of the body.
-/// @param leastExtent  of a segment of a chain without radius, which is as large as its chain: how finely a curve is
-/// cut up says nothing of how far a body may sink into it
-Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape, Real leastExtent = 0) {
-    shape.body = body;
+/// Of a chain.
+/// @param leastExtent  of one without radius, as large as the chain: how finely a curve is cut up says nothing of how
+/// far a body may sink into it
+void measureSegment(Shape& shape, Real leastExtent) {
     shape.extent = std::max(leastExtent, extentOf(shape.polygon));
     shape.size = radiusAbout(shape.polygon, {});
-    shape.isBatched = shape.isChainSegment ? collidesInBatches(shape.segment) : collidesInBatches(shape.polygon);
-    if (shape.isBatched && shape.isChainSegment) { shape.closedEnds = closedEndsOf(shape.segment); }
+    shape.isLine = !(shape.polygon.radius > 0);
+    shape.isBatched = collidesInBatches(shape.segment);
+    if (shape.isBatched) { shape.closedEnds = closedEndsOf(shape.segment); }
+}
+
+/// Puts a shape into the world: slot, proxy, list of the body.
+/// @param leastExtent  as of `measureSegment`
+Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape, Real leastExtent = 0) {
+    shape.body = body;
+    if (shape.isChainSegment) {
+        measureSegment(shape, leastExtent);
+    } else {
+        setSkin(shape, world.bodies[body].isDynamic());
+    }
     world.thinnestWall.reset();
     makeRoomForShape(world, world.bodies[body]);
     const bool hasProxy = world.bodies[body].def.enabled;
@@ -271,6 +283,7 @@ Status World::redefine(ShapeId id, const ShapeDef& def) {
     for (const std::uint32_t slot : slots) {
         const ShapeDef own = world.shapes[slot].def;
         setDefinition(world, slot, areNew ? def : withSurface(def, surfaceOf(own)));
+        if (!world.shapes[slot].isChainSegment) { setSkin(world.shapes[slot], world.bodies[body].isDynamic()); }
     }
     if (meetsOthers) {
         renewKinds(world, slots);

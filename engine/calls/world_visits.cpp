@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "../../shapes/bit_cast.h"
+#include "../bodies/line_skin.h"
 #include "../solve/joint_builder.h"
 #include "../state/world_state.h"
 #include "../world.h"
@@ -105,7 +106,8 @@ void World::visitJoints(BodyId id, FunctionRef<void(JointId)> visit) const {
 void World::visitPolygons(ShapeId id, FunctionRef<void(const Polygon&)> visit) const {
     std::uint32_t slot = id.index;
     while (slot != kNoIndex && isValid(id)) {
-        const Polygon polygon = state_->shapes[slot].polygon;  // a copy: the visit may make it move, or destroy it
+        const Polygon polygon =
+            givenPolygon(state_->shapes[slot]);  // a copy: the visit may make it move, or destroy it
         slot = state_->shapes[slot].nextInChain;
         visit(polygon);
     }

@@ -121,7 +121,7 @@ Contact contactOf(const WorldState& world, std::uint32_t shapeA, std::uint32_t s
     contact.bodyA = a.body;
     contact.bodyB = b.body;
     mixSurfaces(world, contact);
-    contact.extent = std::min(a.extent, b.extent);
+    contact.extent = extentOfPair(a, b);
     contact.extentA = a.extent;
     contact.extentB = b.extent;
     contact.radiusA = a.polygon.radius;

@@ -39,7 +39,7 @@ bool mayTurnToGround(const Polygon& a, Vec2 normal) { return a.count == 1 || fac
 Manifold turnedToGround(const WorldState& world, const Shape& a, const Shape& b, const Transform& bInA, Real margin,
                         const Manifold& closest) {
     if (closest.count == 0 || world.bodies[a.body].isDynamic()) { return closest; }
-    const Real slop = kTargetRatio * std::min(a.extent, b.extent);
+    const Real slop = kTargetRatio * extentOfPair(a, b);
     if (a.polygon.count == 1) { return lyingOnRound(a.polygon, b.polygon, bInA, margin, slop, closest); }
     const int face = faceBeside(a.polygon, closest.normal);
     if (face < 0) { return closest; }

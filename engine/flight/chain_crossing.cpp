@@ -108,7 +108,7 @@ bool isInFrontOfNeighbour(const WorldState& world, const FlightObstacle& obstacl
         point.radius = static_cast<double>(segment.radius);
         point.vertices[0] = toDouble(corner);
         const Toi there = separationAt(point, otherSweep, asToiPolygon(own.polygon), sweep, fraction);
-        return there.separation < static_cast<double>(kBeginRatio * std::min(own.extent, other.extent));
+        return there.separation < static_cast<double>(kBeginRatio * extentOfPair(own, other));
     };
     const auto isInFront = [middle](Vec2 from, Vec2 to) { return cross(to - from, middle - from) < 0; };
     const Vec2 edge = segment.q - segment.p;
@@ -183,7 +183,7 @@ bool StartAtChains::isCrossing(std::uint32_t segment, const FlightScratch& scrat
     const Shape& own = world_.shapes[shape_];
     const Shape& other = world_.shapes[segment];
     const WorldTransform ofChain = groundPose(world_, other.body, from_);
-    return heightOver(other, ofChain, own, pose_) < -kTargetRatio * std::min(own.extent, other.extent);
+    return heightOver(other, ofChain, own, pose_) < -kTargetRatio * extentOfPair(own, other);
 }
 
 bool passesFromBehind(const WorldState& world, FlightObstacle& obstacle, const Sweep& sweep, const Sweep& otherSweep,

@@ -17,7 +17,7 @@ WorldTransform poseAt(const Sweep& path, double fraction) {
 }  // namespace
 
 void allowTouch(const WorldState& world, FlightObstacle& shapes, const Sweep& own, const Sweep& other) {
-    const Real margin = kEndRatio * std::min(world.shapes[shapes.own].extent, world.shapes[shapes.other].extent);
+    const Real margin = kEndRatio * extentOfPair(world.shapes[shapes.own], world.shapes[shapes.other]);
     const WorldTransform otherStart = poseAt(other, 0);
     const Manifold manifold = obstacleManifold(world, shapes, otherStart, poseAt(own, 0), margin);
     if (manifold.count == 0) { return; }
@@ -30,7 +30,7 @@ bool endsBeyond(const WorldState& world, const FlightObstacle& shapes, const Swe
     const Shape& otherShape = world.shapes[shapes.other];
     const WorldTransform otherMet = poseAt(other, fraction);
     const WorldTransform ownMet = poseAt(own, fraction);
-    const Real margin = std::min(ownShape.extent, otherShape.extent);
+    const Real margin = extentOfPair(ownShape, otherShape);
     const Manifold manifold = obstacleManifold(world, shapes, otherMet, ownMet, margin);
     if (manifold.count == 0) { return true; }
     // Along the normal as it turns with the longer one: that has the face.

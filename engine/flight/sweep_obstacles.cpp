@@ -113,7 +113,7 @@ StartContact overlapAtStart(const WorldState& world, const FlightObstacle& obsta
                             const WorldTransform& otherPose) {
     const Shape& own = world.shapes[obstacle.own];
     const Shape& other = world.shapes[obstacle.other];
-    const Real margin = std::min(own.extent, other.extent);
+    const Real margin = extentOfPair(own, other);
     const StartContact contact =
         startContact(obstacleManifold(world, obstacle, otherPose, pose, margin), otherPose, margin);
     return other.isChainSegment ? closestAtStart(own, other, pose, otherPose, margin, contact) : contact;
@@ -315,9 +315,7 @@ void allowSlack(const WorldState& world, const Sweep& sweep, double from, Flight
         const StartContact contact = contactAtStart(world, obstacle, scratch.startPose, otherPose, margin);
         if (!contact.touches) { continue; }
         obstacle.lift = slackOf(world, obstacle) * toDouble(contact.normal);
-        if (contact.deepest <= kEndRatio * std::min(own.extent, other.extent)) {
-            scratch.normals.push_back(contact.normal);
-        }
+        if (contact.deepest <= kEndRatio * extentOfPair(own, other)) { scratch.normals.push_back(contact.normal); }
     }
     liftFlush(world, static_cast<double>(kSlackRatio / kTargetRatio), scratch.normals, from, scratch);
 }

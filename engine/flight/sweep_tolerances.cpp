@@ -15,7 +15,7 @@ constexpr double kSunkTolerance = 1.0 / 1024;
 double targetOf(const WorldState& world, const FlightObstacle& obstacle) {
     const Shape& own = world.shapes[obstacle.own];
     const Shape& other = world.shapes[obstacle.other];
-    const auto extent = static_cast<double>(std::min(own.extent, other.extent));
+    const auto extent = static_cast<double>(extentOfPair(own, other));
     const double unit = std::max(static_cast<double>(kFlightRoundings) * std::numeric_limits<double>::epsilon(),
                                  static_cast<double>(kEpsilon));
     return std::clamp(unit * static_cast<double>(own.size + other.size),

@@ -20,7 +20,7 @@ inline double toleranceOf(const WorldState& world, double target) {
 }
 /// How far ground may be uneven that counts as flush, and how far a body may sag between two impacts of a contact that
 /// carries it, metres.
-inline Real slopOf(const Shape& own, const Shape& other) { return kTargetRatio * std::min(own.extent, other.extent); }
+inline Real slopOf(const Shape& own, const Shape& other) { return kTargetRatio * extentOfPair(own, other); }
 inline Real slopOf(const WorldState& world, const FlightObstacle& obstacle) {
     return slopOf(world.shapes[obstacle.own], world.shapes[obstacle.other]);
 }

@@ -16,7 +16,7 @@ inline constexpr auto kNoProxy = static_cast<ProxyId>(kNoIndex);
 /// A convex polygon on a body, or one segment of a chain. The segments of a chain are shapes of their own, linked in
 /// order; the first one carries the id that the user knows.
 struct Shape {
-    Polygon polygon;       ///< of a chain segment: the segment as two-sided polygon
+    Polygon polygon;       ///< what collides; of a chain segment: the segment as two-sided polygon
     ChainSegment segment;  ///< only when `isChainSegment`
     ShapeDef def;
     Real extent = 0;
@@ -29,8 +29,16 @@ struct Shape {
     ProxyId proxy = kNoProxy;        ///< none while its body is disabled
     bool isChainSegment = false;
     bool isBatched = false;  ///< `collidesInBatches`
+    bool isLine = false;     ///< of no thickness: the radius of `polygon`, if it has one, is a skin (line_skin.h)
     ClosedEnds closedEnds;   ///< of a chain segment
 };
+
+/// What slop, slack and tolerances of a pair are parts of, metres: of two lines their skin, which is all that they
+/// have.
+inline Real extentOfPair(const Shape& a, const Shape& b) {
+    const Real skin = a.isLine && b.isLine ? 2 * std::max(a.polygon.radius, b.polygon.radius) : Real(0);
+    return skin > 0 ? skin : std::min(a.extent, b.extent);
+}
 
 /// Both run clockwise, and so apart from each other where they touch, like two gears.
 inline Real mixedSpeed(const ShapeDef& a, const ShapeDef& b) { return a.surfaceSpeed + b.surfaceSpeed; }

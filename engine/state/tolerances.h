@@ -24,8 +24,8 @@ inline constexpr Real kEndRatio = 4 * kTargetRatio;
 inline constexpr Real kSamePlaceRatio = Real(1) / 32;
 /// A body is fast when some point of it may move more than this part of its extent in the step.
 inline constexpr Real kFastRatio = Real(1) / 4;
-/// Likewise, of a body with a shape of no thickness at all: however little it sinks into a peg, by its force or that of
-/// its contact, it may come out on the other side of it.
+/// Likewise, of a body with a shape of no thickness (but a skin, line_skin.h): sunk in by half of a thin peg it would
+/// come out on the other side of it.
 inline constexpr Real kLineRatio = kTargetRatio / 8;
 /// For a bullet that flies freely this part is enough. Where two glance off each other, the normal of where they meet
 /// decides; the solver has that of up to a step before instead, which for slow bullets would be up to 7° off.

@@ -81,6 +81,10 @@ struct Scenery {
         item.def.sensor = random.chance(0.15);
         item.def.filter = {1u << random.integer(0, 2), random.chance(0.8) ? 0xFFFFFFFFu : 1u, 0};
         item.id = must(world.addShape(item.body, item.parts[0], item.def));
+        // What contacts move has a skin, which queries meet, too (engine/bodies/line_skin.h).
+        Polygon& part = item.parts[0];
+        const bool isLine = part.count == 2 && !(part.radius > 0);
+        if (isLine && def.type == BodyType::dynamic && !item.def.sensor) { part.radius = extentOf(part) / 4096; }
         // A segment alone has no mass.
         if (def.type == BodyType::dynamic) { must(world.addShape(item.body, circle(0.01), item.def)); }
         if (def.type == BodyType::dynamic) { item.parts.push_back(circle(0.01)); }
