@@ -36,6 +36,7 @@ inline void fillParts(WideRevolute& block, std::size_t lane, const FreedomParts&
     block.maxMotorImpulse[lane] = parts.maxMotorImpulse;
     block.springPush[lane] = parts.spring.push;
     block.springDrag[lane] = parts.spring.drag;
+    block.springLag[lane] = parts.spring.lag;
     block.lowerImpulse[lane] = parts.lowerImpulse;
     block.upperImpulse[lane] = parts.upperImpulse;
     block.motorImpulse[lane] = parts.motorImpulse;

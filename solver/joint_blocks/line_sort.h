@@ -35,6 +35,7 @@ struct LineSort {
         block.maxMotorImpulse[lane] = joint.maxMotorImpulse;
         block.springPush[lane] = along.spring.push;
         block.springDrag[lane] = along.spring.drag;
+        block.springLag[lane] = along.spring.lag;
         block.heldImpulse[lane] = joint.heldImpulse.x;
         block.motorImpulse[lane] = joint.motorImpulse;
         block.springImpulse[lane] = along.springImpulse;

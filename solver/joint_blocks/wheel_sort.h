@@ -31,7 +31,8 @@ struct WheelSort : LineSort {
     }
     static void take(const WideWheel& block, std::size_t lane, WheelConstraint& joint) {
         LineSort::take(block, lane, joint, joint.suspension);
-        if (joint.suspension.hasSpring) { joint.suspension.spring = {block.springPush[lane], block.springDrag[lane]}; }
+        if (!joint.suspension.hasSpring) { return; }
+        joint.suspension.spring = {block.springPush[lane], block.springDrag[lane], block.springLag[lane]};
     }
 };
 

@@ -85,7 +85,7 @@ void solveHeld(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) 
 void solveOne(DistanceConstraint& joint, const Rod& rod, Real h, bool useBias) {
     if (!(rod.mass > 0)) { return; }   // nothing to move; and 0 kg times the room of a limit at infinity is no number
     if (joint.hasSpring && useBias) {  // once per sub-step
-        const Real change = gainsOf(joint, rod).drag * (joint.springImpulse - rod.mass * rod.speed());
+        const Real change = dragChange(gainsOf(joint, rod), joint.springImpulse, rod.mass * rod.speed());
         joint.springImpulse += change;
         rod.apply(change);
     }

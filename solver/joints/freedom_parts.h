@@ -95,7 +95,7 @@ template <class SpeedNow, class Push>
 void solveFreedom(FreedomParts& parts, FreeDirection free, JointPass pass, SpeedNow&& speed, Push&& push) {
     if (!(free.mass > 0)) { return; }       // nothing to move; and 0 times the room of a limit at infinity is no number
     if (parts.hasSpring && pass.useBias) {  // once per sub-step
-        const Real change = parts.spring.drag * (parts.springImpulse - free.mass * speed());
+        const Real change = dragChange(parts.spring, parts.springImpulse, free.mass * speed());
         parts.springImpulse += change;
         push(change);
     }

@@ -38,7 +38,7 @@ void solveOne(MouseConstraint& joint, const JointPair& pair, Real h, bool useBia
     if (joint.hasSpring) {
         // The speed without what of the push was applied.
         const Vec2 speed = solve(grip.matrix, speedsOf(grip, pair)) - joint.linearImpulse;
-        total = joint.springImpulse - joint.spring.drag * speed;
+        total = (1 + joint.spring.lag - joint.spring.drag) * joint.springImpulse - joint.spring.drag * speed;
     } else if (joint.maxImpulse < std::numeric_limits<Real>::infinity()) {
         if (useBias) { aim(joint, pair, grip, h); }
         total -= solve(grip.matrix, speedsOf(grip, pair) - joint.pace - joint.velocity);

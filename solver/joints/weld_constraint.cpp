@@ -46,7 +46,7 @@ void solveRigid(WeldConstraint& joint, const JointPair& pair, bool useBias) {
 }
 
 Real springDrag(const WeldConstraint& joint, const JointPair& pair, Real mass) {
-    return joint.angularSpring.drag * (joint.angularImpulse - mass * speedOfSpin(pair));
+    return dragChange(joint.angularSpring, joint.angularImpulse, mass * speedOfSpin(pair));
 }
 
 /// The point and what its spring needs to know: where that acts, and the way of B's point from A's.
@@ -91,7 +91,7 @@ PointMatrix responseOf(const WeldConstraint& joint, const Pin& pin, const JointP
 
 Vec2 springDrag(const WeldConstraint& joint, const Pin& pin, const JointPair& pair, const PointMatrix& matrix) {
     const PointGains spring = gainsOf(joint, pair, responseOf(joint, pin, pair));
-    return spring.gains.drag * (joint.linearImpulse - solve(matrix, speedsOf(pin, pair)));
+    return dragChange(spring.gains, joint.linearImpulse, solve(matrix, speedsOf(pin, pair)));
 }
 
 /// The point, then, once per sub-step, the drag of the angle's spring while the point stays.

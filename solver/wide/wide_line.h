@@ -25,6 +25,7 @@ struct WideLine : WideJoint {
     LaneArray maxMotorImpulse;
     LaneArray springPush;
     LaneArray springDrag;
+    LaneArray springLag;
     // As the bodies stand: changes only when they move.
     LaneArray axisNowX;
     LaneArray axisNowY;

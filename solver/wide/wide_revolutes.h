@@ -44,6 +44,7 @@ struct WideRevolute : WideJoint {
     LaneArray maxMotorImpulse;
     LaneArray springPush;
     LaneArray springDrag;
+    LaneArray springLag;
     LaneArray lowerImpulse;
     LaneArray upperImpulse;
     LaneArray motorImpulse;

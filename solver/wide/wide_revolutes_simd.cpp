@@ -129,8 +129,7 @@ private:
         solveGuiding<kUseBias>(spin);
         const Lanes place = angle();
         if (block_.parts.hasSpring && kUseBias) {
-            const Lanes change =
-                hn::Mul(at(block_.springDrag), hn::Sub(at(block_.springImpulse), hn::Mul(spin.mass, speedOfSpin())));
+            const Lanes change = this->dragChange(hn::Mul(spin.mass, speedOfSpin()));
             add(change, block_.springImpulse);
             turnGuided(spin, change);
         }

@@ -32,6 +32,7 @@ struct WideRod : WideJoint {
     LaneArray mass;  ///< 0 where nothing can be moved
     LaneArray springPush;
     LaneArray springDrag;
+    LaneArray springLag;
     // Accumulated.
     LaneArray rigidImpulse;
     LaneArray springImpulse;

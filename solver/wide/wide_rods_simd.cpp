@@ -168,8 +168,7 @@ private:
         const Lanes mass = at(block_.mass);
         const Lanes length = at(block_.lengthNow);
         if (block_.parts.hasSpring && kUseBias) {
-            const Lanes left = hn::Sub(at(block_.springImpulse), hn::Mul(mass, speed()));
-            push(hn::Mul(at(block_.springDrag), left), block_.springImpulse, false);
+            push(this->dragChange(hn::Mul(mass, speed())), block_.springImpulse, false);
         }
         if (block_.parts.isRigid) {
             const Lanes error = kUseBias ? hn::Sub(length, at(block_.length)) : hn::Zero(Tag());

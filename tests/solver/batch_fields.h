@@ -44,6 +44,7 @@ template <class Visit>
 void visitGains(SpringGains& gains, Visit&& visit) {
     visit(gains.push, kRate);
     visit(gains.drag, kNumber);
+    visit(gains.lag, kNumber);
 }
 
 template <class Visit>
