@@ -33,8 +33,9 @@ namespace swept::inline SWEPT_PRECISION {
 /// point of B that belongs there. Its angle, from which limits, springs and drives count, is 0 where it is made, or
 /// where B is turned by `referenceAngle` more than A. So bodies may begin anywhere on the way that a joint leaves them,
 /// such as a door half open. What is apart is drawn together within some steps, which leaves no speed. Whole turns
-/// between the bodies and where a joint holds or drives them, or its nearest limit, do not count: they are not turned
-/// back. Where nothing holds the angle they count.
+/// between the bodies and where a joint holds or drives them, or its nearest limit, do not count as it is made, or
+/// comes into the world: they are not turned back. From then on all turns count, and where nothing holds the angle: a
+/// target that goes on from π to −π takes B a turn back.
 struct JointDef {
     BodyId bodyA{};
     BodyId bodyB{};

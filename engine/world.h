@@ -261,8 +261,8 @@ public:
     Status setLengthLimits(JointId id, std::optional<LengthLimits> limits);            ///< distance
     Status setLength(JointId id, Real length);                                         ///< distance: rod, spring
     Status setSpring(JointId id, std::optional<Spring> spring);  ///< revolute, distance, prismatic, wheel, mouse
-    /// Rad or metres, as limits are. What it holds is drawn there by the spring, also from far away. Errors:
-    /// `notFinite` and `outOfRange` with "springTarget".
+    /// Rad or metres, as limits are. What it holds is drawn there by the spring, also from far away, and by whole
+    /// turns: `jointAngle` tells how many there are. Errors: `notFinite` and `outOfRange` with "springTarget".
     Status setSpringTarget(JointId id, Real target);  ///< revolute, prismatic, wheel
     Status setWeldSprings(JointId id, std::optional<Spring> linear, std::optional<Spring> angular);
     Status setTarget(JointId id, DVec2 target);            ///< mouse

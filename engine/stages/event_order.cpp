@@ -106,11 +106,10 @@ std::ptrdiff_t touchesNow(const WorldState& world, const EventPlace& place, std:
     return count;
 }
 
-/// Whether it is a begin or an end with a chain, or with what may have been one: a shape that is gone. Of what the step
-/// itself found both shapes are there.
+/// Whether it is of a chain, or of what may have been one: a shape that is gone. Of what the step itself found both
+/// shapes are there.
 bool concernsChain(const WorldState& world, std::size_t index) {
     const ContactEvent& e = world.contactEvents[index];
-    if (e.type == ContactEventType::hit) { return false; }
     if (index < world.eventsBetween) { return isChainOrGone(world, e.shapeA) || isChainOrGone(world, e.shapeB); }
     return world.chainSegments[e.shapeA.index] != 0 || world.chainSegments[e.shapeB.index] != 0;
 }
@@ -177,6 +176,33 @@ void mergeChainEvents(WorldState& world, int bits) {
     places.erase(keep, places.end());
 }
 
+/// A hit of a chain is one, too, whichever segments share it: at the hardest of their points, with all of their
+/// impulse.
+void mergeChainHits(WorldState& world) {
+    std::vector<EventPlace>& places = world.eventPlaces.hitsOfChains;
+    const std::span<ContactEvent> events = world.contactEvents;
+    const auto impactKey = [](const ContactEvent& e) {
+        return std::make_tuple(e.shapeA.index, e.shapeA.generation, e.shapeB.index, e.shapeB.generation, e.fraction);
+    };
+    sortByKeys(places, world.eventPlaces.spare, [&](const EventPlace& x, const EventPlace& y) {
+        const ContactEvent& a = events[x.index];
+        const ContactEvent& b = events[y.index];
+        return std::make_tuple(impactKey(a), -a.impulse, eventKey(a)) <
+               std::make_tuple(impactKey(b), -b.impulse, eventKey(b));
+    });
+    auto end = places.begin();
+    for (const EventPlace& place : places) {
+        const ContactEvent& hit = events[place.index];
+        const bool isShared = end != places.begin() && impactKey(events[(end - 1)->index]) == impactKey(hit);
+        if (isShared) {
+            events[(end - 1)->index].impulse += hit.impulse;
+        } else {
+            *end++ = place;
+        }
+    }
+    places.erase(end, places.end());
+}
+
 /// Of what the step itself found, when all that it names is there. (What calls ended was told it by them.)
 void tellUserData(const WorldState& world, ContactEvent& event) {
     event.userDataA = world.shapes[event.shapeA.index].def.userData;
@@ -192,9 +218,11 @@ constexpr std::size_t kEventGrain = 16;
 void findOrder(WorldState& world) {
     const std::vector<ContactEvent>& events = world.contactEvents;
     std::vector<EventPlace>& ofChains = world.eventPlaces.ofChains;
+    std::vector<EventPlace>& hitsOfChains = world.eventPlaces.hitsOfChains;
     std::vector<EventPlace>& atStart = world.eventPlaces.atStart;
     std::vector<EventPlace>& later = world.eventPlaces.later;
     ofChains.clear();
+    hitsOfChains.clear();
     atStart.clear();
     later.clear();
     const auto bits = static_cast<int>(std::bit_width(world.shapes.slotCount()));
@@ -204,13 +232,16 @@ void findOrder(WorldState& world) {
     };
     for (std::uint32_t i = 0; i < events.size(); ++i) {
         if (concernsChain(world, i)) {
-            ofChains.push_back({keyOfShapes(events[i], bits), i});
+            const bool isHit = events[i].type == ContactEventType::hit;
+            (isHit ? hitsOfChains : ofChains).push_back({keyOfShapes(events[i], bits), i});
         } else {
             addPlace(i);
         }
     }
     mergeChainEvents(world, bits);
+    mergeChainHits(world);
     for (const EventPlace& place : ofChains) { addPlace(place.index); }
+    for (const EventPlace& place : hitsOfChains) { addPlace(place.index); }
     const auto isLess = [](const ContactEvent& a, const ContactEvent& b) { return eventKey(a) < eventKey(b); };
     sortPlaces(world, atStart, isLess);
     sortPlaces(world, later, isLess);

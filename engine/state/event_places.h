@@ -24,7 +24,8 @@ struct ChainTouch {
 
 /// Scratch of `sortEvents`, kept for its capacity.
 struct EventPlaces {
-    std::vector<EventPlace> ofChains;      ///< begins and ends
+    std::vector<EventPlace> ofChains;  ///< begins and ends
+    std::vector<EventPlace> hitsOfChains;
     std::vector<EventPlace> atStart;       ///< of the step: all others of fraction 0
     std::vector<EventPlace> later;         ///< by fraction
     std::vector<EventPlace> spare;         ///< of `sortByKeys`

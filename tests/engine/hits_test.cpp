@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -238,6 +239,25 @@ TEST_P(Hits, AreNoneOfWhatIsPressedWithoutGravity) {
                 << profileName(GetParam()) << (isBox ? ", box, " : ", ball, ") << restitution;
         }
     }
+}
+
+/// Whichever of its segments share the impulse. (Each of them told a hit of its own.)
+TEST_P(Hits, OfAChainAreOneForAnImpact) {
+    World world = makeWorld(GetParam());
+    const BodyId level = must(world.createBody({}));
+    const std::array<Vec2, 4> points{vec(5, 0), vec(0.3, 0), vec(-0.3, 0), vec(-5, 0)};
+    must(world.addChain(level, points, false));
+    const BodyId crate = addBody(world, dynamicAt({0, 3}), box(0.5, 0.5));
+    std::vector<ContactEvent> hits;
+    double before = 0;
+    while (hits.empty() && world.position(crate).y > 0.4) {
+        before = -world.mass(crate) * velocityOf(world, crate).y;
+        must(world.step(kStep));
+        hits = hitsOf(world);
+    }
+    ASSERT_EQ(hits.size(), 1U);
+    EXPECT_NEAR(hits[0].impulse, before, 0.1 * before);
+    EXPECT_NEAR(hits[0].approachSpeed * world.mass(crate), before, 0.03 * before);
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, Hits, testing::Values(Profile::accurate, Profile::fast),
