@@ -225,7 +225,9 @@ WorldTransform World::transform(BodyId id) const {
 Vec2 World::velocityAt(BodyId id, DVec2 point) const {
     if (!isValid(id)) { return {}; }
     const BodyMotion& motion = state_->motions[id.index];
-    return motion.velocity + cross(motion.angularVelocity, toReal(point - motion.center));
+    const auto spin = static_cast<double>(motion.angularVelocity);
+    const DVec2 turning = spin * (point - motion.center);  // far away, the arm is beyond `float`
+    return nearestReal(toDouble(motion.velocity) + DVec2{-turning.y, turning.x});
 }
 Real World::angularVelocity(BodyId id) const {
     return isValid(id) ? state_->motions[id.index].angularVelocity : Real(0);
@@ -234,18 +236,9 @@ bool World::isAwake(BodyId id) const {
     const Body* body = state_->bodies.find(id);
     return body != nullptr && (body->awake || body->heldIn != kNoIndex);
 }
-double World::mass(BodyId id) const {
-    const Body* body = state_->bodies.find(id);
-    return body != nullptr ? body->mass : 0;
-}
-double World::inertia(BodyId id) const {
-    const Body* body = state_->bodies.find(id);
-    return body != nullptr ? body->inertia : 0;
-}
-std::uint64_t World::userData(BodyId id) const {
-    const Body* body = state_->bodies.find(id);
-    return body != nullptr ? body->def.userData : 0;
-}
+double World::mass(BodyId id) const { return isValid(id) ? state_->bodies[id.index].mass : 0; }
+double World::inertia(BodyId id) const { return isValid(id) ? state_->bodies[id.index].inertia : 0; }
+std::uint64_t World::userData(BodyId id) const { return isValid(id) ? state_->bodies[id.index].def.userData : 0; }
 
 Status World::setPose(BodyId id, DVec2 position, double angle) {
     WorldState& world = *state_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -22,6 +23,13 @@ inline constexpr double kLargestNumber = powerOfTwo(kLargestExponent);
 inline bool isInRange(double x) { return std::fabs(x) <= kLargestNumber; }
 inline bool isInRange(DVec2 v) { return isInRange(v.x) && isInRange(v.y); }
 inline bool isInRange(Vec2 v) { return isInRange(toDouble(v)); }
+
+/// The nearest numbers of `Real`, all of them finite. @pre x is no NaN
+inline Real nearestReal(double x) {
+    constexpr auto kMost = static_cast<double>((std::numeric_limits<Real>::max)());
+    return static_cast<Real>(std::clamp(x, -kMost, kMost));
+}
+inline Vec2 nearestReal(DVec2 v) { return {nearestReal(v.x), nearestReal(v.y)}; }
 
 /// What has one beyond all numbers is as good as nothing.
 inline bool hasInverse(double x) { return x > 0 && 1 / x <= static_cast<double>(std::numeric_limits<Real>::max()); }

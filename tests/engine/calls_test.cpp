@@ -30,6 +30,21 @@ TEST(Calls, VelocityOfAPoint) {
     EXPECT_EQ(world.velocityAt({}, {2, 5}), Vec2{});
 }
 
+/// It is a number wherever the point is: without a spin the velocity of the body, with one at most the largest number.
+TEST(Calls, VelocityOfAPointFarAway) {
+    World world = makeWorld(0);
+    const BodyId still = addBody(world, dynamicAt({2, 3}, vec(4, 5)), circle(1));
+    const BodyId spinning = addBody(world, dynamicAt({9, 3}, vec(4, 5), 6), circle(1));
+    constexpr Real kMost = std::numeric_limits<Real>::max();
+    for (const double far : {1e30, 1e39, 1e300, std::numeric_limits<double>::max()}) {
+        EXPECT_EQ(world.velocityAt(still, {far, -far}), vec(4, 5)) << far;
+        const Vec2 turning = world.velocityAt(spinning, {far, -far});
+        const double expected = std::min(6 * (far / static_cast<double>(kMost)), 1.0);
+        EXPECT_NEAR(turning.x / kMost, expected, 1e-6) << far;
+        EXPECT_NEAR(turning.y / kMost, expected, 1e-6) << far;
+    }
+}
+
 TEST(Calls, OneVelocityLeavesTheOther) {
     World world = makeWorld(0);
     const BodyId body = addBody(world, dynamicAt({2, 3}, vec(4, 5), 6), box(1, 1));
