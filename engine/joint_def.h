@@ -198,7 +198,8 @@ struct GearJointDef {
 };
 
 /// A rope from A over two fixed wheels to B: the length on A's side + ratio · the length on B's side is at most its
-/// `length`. It pulls and never pushes.
+/// `length`. It pulls and never pushes. Another ratio (`World::redefine`) changes the length by as much as the sum, so
+/// that slack and stretch stay as they are, and is refused where a stretched rope would have no length left.
 struct PulleyJointDef {
     JointDef base{};
     DVec2 groundA{};  ///< the wheels, world points

@@ -246,7 +246,8 @@ public:
     /// `userData`. Its bodies, points, axes, reference angles, geared joints and the rope of a pulley stay, whatever
     /// `def` says of them, and so does a length where it has none. Another ratio begins where the bodies are: the error
     /// of a gear and the slack of a pulley stay as they are. Wakes the bodies, unless break limits and `userData` alone
-    /// are others. Errors: `wrongJointType` of another kind; else as of createJoint.
+    /// are others. Errors: `wrongJointType` of another kind; `outOfRange` of a ratio that would leave the rope of a
+    /// pulley no length, as it may be where it is stretched far beyond it; else as of createJoint.
     Status redefine(JointId id, const AnyJointDef& def);
     DVec2 anchorA(JointId id) const;  ///< where on A it holds now, world; of a mouse joint its target
     DVec2 anchorB(JointId id) const;

@@ -43,7 +43,13 @@ struct NewParts {
         return checkParts(now, joint.length);
     }
     Status operator()(const GearJointDef& before, const GearJointDef& now) const { return checkSum(before, now); }
-    Status operator()(const PulleyJointDef& before, const PulleyJointDef& now) const { return checkSum(before, now); }
+    Status operator()(const PulleyJointDef& before, const PulleyJointDef& now) const {
+        const Status sum = checkSum(before, now);
+        if (!sum.ok()) { return sum; }
+        // It goes with the sum: of what is stretched far a smaller one may leave less than nothing, and pull for ever.
+        const auto length = static_cast<Real>(constantOf(world, joint, before, now.ratio));
+        return length > 0 ? Status::success() : Status{StatusCode::outOfRange, "ratio"};
+    }
     Status operator()(const FilterJointDef&, const FilterJointDef&) const { return Status::success(); }
     template <class Def>
     Status operator()(const Def&, const Def& now) const {

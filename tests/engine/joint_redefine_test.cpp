@@ -229,6 +229,27 @@ TEST(JointRedefine, RatioOfAPulley) {
     EXPECT_NEAR(pair.world.position(pair.crate).y - ofB, -0.5 * way, 1e-3);
 }
 
+/// It is stretched by 20 m, which the sum of the new ratio is less than.
+TEST(JointRedefine, NoRatioLeavesAPulleyWithoutARope) {
+    World world = makeWorld(0);
+    const BodyId hung = addBody(world, dynamicAt({0, -1}), circle(0.5));
+    const BodyId far = addBody(world, dynamicAt({10, 0}), circle(0.5));
+    const JointId rope = must(world.createJoint(PulleyJointDef{
+        .base = {.bodyA = hung, .bodyB = far}, .anchorA = {0, -1}, .anchorB = {10, 0}, .ratio = 2, .length = Real(1)}));
+    auto def = definitionOf<PulleyJointDef>(world, rope);
+    for (const double ratio : {1.0, 1.9}) {  // 1.9: exactly nothing is left, or less by a rounding
+        def.ratio = real(ratio);
+        const Status status = world.redefine(rope, def);
+        EXPECT_EQ(status.code, StatusCode::outOfRange) << ratio;
+        EXPECT_EQ(std::string(status.field), "ratio");
+    }
+    EXPECT_EQ(definitionOf<PulleyJointDef>(world, rope).ratio, 2);
+    def.ratio = real(1.95);
+    must(world.redefine(rope, def));
+    EXPECT_NEAR(definitionOf<PulleyJointDef>(world, rope).length.value(), 0.5, 1e-5);
+    must(world.redefine(rope, world.definition(rope)));
+}
+
 TEST(JointRedefine, WhetherTheTwoCollide) {
     World world = makeWorld(0);
     const BodyId ground = addStatic(world, box(1, 1));
