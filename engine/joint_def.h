@@ -111,7 +111,7 @@ struct DistanceJointDef {
     JointDef base{};
     DVec2 anchorA{};
     DVec2 anchorB{};
-    std::optional<Real> length{};  ///< empty: the initial distance of the anchors; greater than 0
+    std::optional<Real> length{};  ///< empty: the initial distance of the anchors; greater than 0, of a rope at least 0
     std::optional<LengthLimits> limits{};
     std::optional<Spring> spring{};
 };

@@ -67,9 +67,10 @@ Status checkMotor(const std::optional<LinearMotor>& motor) {
     return firstFault({checkFinite(motor->speed, "motorSpeed"), checkStrength(motor->maxForce, "maxMotorForce")});
 }
 
-Status checkLength(Real length, const std::optional<LengthLimits>& limits) {
+Status checkLength(Real length, const std::optional<LengthLimits>& limits, const std::optional<Spring>& spring) {
     if (!isFinite(length)) { return {StatusCode::notFinite, "length"}; }
-    if (length < 0 || (length == 0 && !limits)) { return {StatusCode::notPositive, "length"}; }
+    const bool isRope = limits && !spring;
+    if (length < 0 || (length == 0 && !isRope)) { return {StatusCode::notPositive, "length"}; }
     if (!limits) { return Status::success(); }
     if (!isFinite(limits->min)) { return {StatusCode::notFinite, "minLength"}; }
     if (limits->min < 0) { return {StatusCode::negative, "minLength"}; }
@@ -110,7 +111,7 @@ Status checkRatio(Real ratio) {
 
 Status checkParts(const RevoluteJointDef& def) { return checkGuided(def); }
 Status checkParts(const DistanceJointDef& def, Real length) {
-    return firstFault({checkLength(def.length.value_or(length), def.limits), checkSpring(def.spring)});
+    return firstFault({checkLength(def.length.value_or(length), def.limits, def.spring), checkSpring(def.spring)});
 }
 Status checkParts(const PrismaticJointDef& def) { return checkGuided(def); }
 Status checkParts(const WheelJointDef& def) { return checkGuided(def); }

@@ -14,8 +14,10 @@ Status checkLimits(const std::optional<AngleLimits>& limits);
 Status checkLimits(const std::optional<TranslationLimits>& limits);
 Status checkMotor(const std::optional<AngularMotor>& motor);
 Status checkMotor(const std::optional<LinearMotor>& motor);
-/// A length of 0 is for ropes alone: rods and springs of length 0 have no direction.
-Status checkLength(Real length, const std::optional<LengthLimits>& limits);
+/// A length of 0 is for ropes alone: rods and springs of length 0 have no direction. Within limits
+/// neither: going through the anchor it would stop there, undamped too, and around it circle for ever, however damped.
+/// A mouse joint does neither.
+Status checkLength(Real length, const std::optional<LengthLimits>& limits, const std::optional<Spring>& spring);
 /// A direction has a length.
 Status checkAxis(DVec2 axis);
 Status checkStrength(const std::optional<Real>& strength, const char* field);

@@ -81,11 +81,12 @@ struct PartSetter {
         return false;
     }
     bool operator()(DistanceJointDef& before, const DistanceJointDef& now) const {
-        setSpring(before, now);
         const Real length = now.length.value_or(joint.length);
         const auto setLength = [&] {
             if (length != joint.length) { (void)face.setLength(id, length); }
         };
+        if (joint.length == 0) { setLength(); }  // before a spring comes: with one it must not be 0
+        setSpring(before, now);
         if (!now.limits) { setLength(); }  // before limits go: without them it must not be 0
         if (now.limits != before.limits) { (void)face.setLengthLimits(id, now.limits); }
         setLength();

@@ -36,6 +36,8 @@ concept HasSpring = requires(Part& part, std::optional<Spring> value) {
     part.def.spring = value;
 };
 
+using DistancePart = JointPart<DistanceJointDef, DistanceConstraint>;
+
 void wakeBodies(WorldState& world, const Joint& joint) {
     for (const std::uint32_t body : joint.allBodies()) { rouse(world, body); }
 }
@@ -139,7 +141,11 @@ Status World::setLinearMotor(JointId id, std::optional<LinearMotor> motor) {
 }
 
 Status World::setSpring(JointId id, std::optional<Spring> spring) {
-    return change(*state_, id, checkSpring(spring), [&](auto& part) {
+    const Joint* joint = state_->joints.find(id);
+    const DistancePart* distance = joint != nullptr ? std::get_if<DistancePart>(&joint->parts) : nullptr;
+    Status value = checkSpring(spring);
+    if (value.ok() && distance != nullptr) { value = checkLength(joint->length, distance->def.limits, spring); }
+    return change(*state_, id, value, [&](auto& part) {
         if constexpr (HasSpring<decltype(part)>) {
             part.def.spring = spring;
             return true;
@@ -180,10 +186,11 @@ Status World::setWeldSprings(JointId id, std::optional<Spring> linear, std::opti
 
 Status World::setLengthLimits(JointId id, std::optional<LengthLimits> limits) {
     const Joint* joint = state_->joints.find(id);
-    const bool isDistance = joint != nullptr && joint->type() == JointType::distance;
-    const Real length = isDistance ? joint->length : Real(1);  // of others `change` tells
+    const DistancePart* distance = joint != nullptr ? std::get_if<DistancePart>(&joint->parts) : nullptr;
+    const Status value = distance != nullptr ? checkLength(joint->length, limits, distance->def.spring)
+                                             : checkLength(1, limits, {});  // what it is, `change` tells
     DrivenMove move;
-    const Status status = change(*state_, id, checkLength(length, limits), toLimits(limits, move));
+    const Status status = change(*state_, id, value, toLimits(limits, move));
     if (status.ok()) { noteDriven(*state_, id, move); }
     return status;
 }
@@ -191,16 +198,18 @@ Status World::setLengthLimits(JointId id, std::optional<LengthLimits> limits) {
 Status World::setLength(JointId id, Real length) {
     Joint* joint = state_->joints.find(id);
     std::optional<LengthLimits> limits;
+    std::optional<Spring> spring;
     bool isPlainRod = false;
     if (joint != nullptr) {
-        if (const auto* part = std::get_if<JointPart<DistanceJointDef, DistanceConstraint>>(&joint->parts)) {
+        if (const auto* part = std::get_if<DistancePart>(&joint->parts)) {
             limits = part->def.limits;
-            isPlainRod = !limits && !part->def.spring;
+            spring = part->def.spring;
+            isPlainRod = !limits && !spring;
         }
     }
     const Real before = joint != nullptr ? joint->length : length;
-    const Status status = change(*state_, id, checkLength(length, limits),
-                                 Overloaded{[&](JointPart<DistanceJointDef, DistanceConstraint>& part) {
+    const Status status = change(*state_, id, checkLength(length, limits, spring),
+                                 Overloaded{[&](DistancePart& part) {
                                                 part.def.length = joint->length = length;
                                                 return true;
                                             },

@@ -298,6 +298,39 @@ TEST(JointRedefine, RopeOfNoLengthAndRod) {
     EXPECT_EQ(definitionOf<DistanceJointDef>(world, joint).length, Real(0));
 }
 
+/// A spring of no length has no direction, within limits neither: no call makes one of a rope of no length.
+TEST(JointRedefine, RopeOfNoLengthAndSpring) {
+    World world = makeWorld(0);
+    const BodyId ground = must(world.createBody({}));
+    const BodyId ball = addBody(world, dynamicAt({1, 0}), circle(0.5));
+    DistanceJointDef def{.base = {.bodyA = ground, .bodyB = ball},
+                         .anchorB = {1, 0},
+                         .length = Real(0),
+                         .limits = LengthLimits{0, 2},
+                         .spring = Spring{.hertz = 5, .dampingRatio = 1}};
+    const auto expectRefused = [](const Status& status) {
+        EXPECT_EQ(status.code, StatusCode::notPositive);
+        EXPECT_STREQ(status.field, "length");
+    };
+    expectRefused(world.createJoint(def).status());
+    DistanceJointDef rope = def;
+    rope.spring.reset();
+    const JointId joint = must(world.createJoint(rope));
+    expectRefused(world.setSpring(joint, def.spring));
+    expectRefused(world.redefine(joint, def));
+    EXPECT_FALSE(definitionOf<DistanceJointDef>(world, joint).spring);
+    must(world.setSpring(joint, std::nullopt));
+    def.length = 1;  // in whatever order: the length is there before the spring
+    must(world.redefine(joint, def));
+    EXPECT_EQ(definitionOf<DistanceJointDef>(world, joint).length, Real(1));
+    EXPECT_TRUE(definitionOf<DistanceJointDef>(world, joint).spring);
+    expectRefused(world.setLength(joint, 0));
+    must(world.setLengthLimits(joint, LengthLimits{0, 3}));
+    must(world.redefine(joint, rope));
+    EXPECT_EQ(definitionOf<DistanceJointDef>(world, joint).length, Real(0));
+    EXPECT_FALSE(definitionOf<DistanceJointDef>(world, joint).spring);
+}
+
 TEST(JointRedefine, RefusalsChangeNothing) {
     Pair pair;
     World& world = pair.world;
