@@ -58,8 +58,6 @@ void putBack(WorldState& world, std::uint32_t slot) {
     motion.angularVelocity = 0;
     updatePose(world, slot);
     forgetContactsOf(world, slot);
-    ++world.counters.putBack;
-    world.bodiesPutBack.push_back(world.bodies.idOf(slot));
 }
 
 /// By slot: those whose state overflowed, and what joints tie to them. Of these some have a state that is a number and
@@ -95,8 +93,15 @@ void putBackOverflown(WorldState& world) {
     if (areSound(world)) { return; }
     const std::vector<bool> isOverflown = findOverflown(world);
     if (!world.parked.woken.empty()) { unparkContacts(world); }  // of what a bullet woke in this step
+    // What was put back after the solve may be so again, with what a joint ties it to: it is told once.
+    std::vector<bool> isTold(isOverflown.size());
+    for (const BodyId id : world.bodiesPutBack) { isTold[id.index] = true; }
     for (const std::uint32_t slot : world.awake) {
-        if (isOverflown[slot]) { putBack(world, slot); }
+        if (!isOverflown[slot]) { continue; }
+        putBack(world, slot);
+        if (isTold[slot]) { continue; }
+        ++world.counters.putBack;
+        world.bodiesPutBack.push_back(world.bodies.idOf(slot));
     }
     std::erase_if(world.contactEvents, [](const ContactEvent& event) {
         return !isInRange(event.point) || !isInRange(event.normal) || !isInRange(event.fraction) ||

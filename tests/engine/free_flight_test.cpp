@@ -244,6 +244,23 @@ TEST(FreeFlight, OnlyWhatLeavesTheRangeIsPutBack) {
     EXPECT_EQ(velocityOf(world, leaver).x, 0);
 }
 
+/// A body that leaves the range in the solve, and then is tied to a kinematic one that leaves it as it moves.
+TEST(FreeFlight, WhatIsPutBackTwiceIsToldOnce) {
+    World world = makeWorld(0.0);
+    const BodyId carrier = addBody(world, bodyAt(BodyType::kinematic, {0.9 * kLargestNumber, 0}), circle(0.5));
+    const BodyId carried = addBody(world, dynamicAt({0.9 * kLargestNumber, 1}), circle(0.5));
+    must(world.createJoint(WeldJointDef{.base = {.bodyA = carrier, .bodyB = carried}}));
+    must(world.setVelocity(carrier, {real(0.5 * kLargestNumber), 0}, 0));
+    must(world.setVelocity(carried, {real(0.5 * kLargestNumber), 0}, 0));
+    must(world.step(1));
+    EXPECT_EQ(world.counters().putBack, 2U);
+    std::vector<BodyId> back(world.bodiesPutBack().begin(), world.bodiesPutBack().end());
+    std::sort(back.begin(), back.end(), [](BodyId a, BodyId b) { return a.index < b.index; });
+    EXPECT_EQ(back, (std::vector<BodyId>{carrier, carried}));
+    EXPECT_EQ(velocityOf(world, carrier).x, 0);
+    EXPECT_EQ(velocityOf(world, carried).x, 0);
+}
+
 /// A sleeper that is struck out of the range of numbers has contacts again, before they lose their points.
 TEST(FreeFlight, WhatIsPutBackTouchesAsMuchAsBefore) {
     WorldSettings settings = awakeSettings();
