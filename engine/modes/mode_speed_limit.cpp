@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <tuple>
+#include <vector>
 
 #include "../bodies/body_mass.h"
 #include "modes.h"
@@ -94,6 +97,25 @@ void limitSpeeds(WorldState& world, double dt) {
     for (const std::uint32_t slot : world.awake) {
         if (isLimited(world, world.bodies[slot])) { limitVelocity(world, slot, dt); }
     }
+}
+
+void joinCaps(WorldState& world, double dt) {
+    std::vector<LostTimeEntry>& lost = world.lostTime;
+    if (world.counters.speedsCapped < 2) { return; }
+    std::sort(lost.begin(), lost.end(), [](const LostTimeEntry& a, const LostTimeEntry& b) {
+        return std::tie(a.body.index, a.reason, a.seconds) < std::tie(b.body.index, b.reason, b.seconds);
+    });
+    auto last = lost.begin();
+    for (auto entry = std::next(last); entry != lost.end(); ++entry) {
+        const bool isCap = entry->reason == LostTimeReason::speedLimit && last->reason == entry->reason;
+        if (isCap && last->body == entry->body) {
+            last->seconds += (1 - last->seconds / dt) * entry->seconds;
+            --world.counters.speedsCapped;
+        } else {
+            *++last = *entry;
+        }
+    }
+    lost.erase(std::next(last), lost.end());
 }
 
 void limitWays(WorldState& world, double dt) {

@@ -14,6 +14,9 @@ void limitSpeeds(WorldState& world, double dt);
 void reachAhead(WorldState& world);
 /// `speedLimit` again, after the solve: what other bodies pushed does not go farther than it may either.
 void limitWays(WorldState& world, double dt);
+/// What the limit took from a body at several moments of the step becomes one line of lost time: the parts of its way
+/// that were left to it multiply, so that it loses no more than the step.
+void joinCaps(WorldState& world, double dt);
 /// Begin and end of what passed sensors within the step, at its time (mode_sensors.cpp).
 void sweepSensors(WorldState& world, double dt);
 

@@ -134,6 +134,7 @@ void runStages(WorldState& world, double dt) {
     if (world.anyRestLoads) { loosenMoving(world, dt); }
     if (!world.activeJoints.empty()) { breakJoints(world); }
     if (isAnyDriven) { endDriven(world); }
+    if (world.watched) { joinCaps(world, dt); }
     moveProxiesAndSortEvents(world);
     world.stepped = world.awake;
     if (world.settings.sleep) { putToSleep(world, dt); }

@@ -147,6 +147,24 @@ TEST(SpeedLimit, CutsOnce) {
     }
 }
 
+/// Before the step, and again when a heavy ball has pushed it: what is left of its way is a part of a part.
+TEST(SpeedLimit, TellsOnceWhatItTookTwice) {
+    World world = makeWorld(modeSettings(ContinuousMode::speedLimit));
+    addStatic(world, box(0.1, 5), {}, {50, 0});
+    const double limit = (0.5 + 0.2) / 2;
+    const BodyId pushed = addBody(world, dynamicAt({0, 0}, vec(500, 0)), circle(0.25));
+    const BodyId heavy = addBody(world, dynamicAt({0.5, 0}, vec(-4000, 0)), circle(0.25), material(0, 1, 500));
+    const DVec2 start = world.position(pushed);
+    run(world, 1);
+    EXPECT_EQ(world.counters().speedsCapped, 2U);
+    ASSERT_EQ(world.lostTime().size(), 2U);
+    EXPECT_EQ(world.lostTime()[0].body, pushed);
+    EXPECT_EQ(world.lostTime()[1].body, heavy);
+    EXPECT_LE(length(world.position(pushed) - start), limit * (1 + 1e-5));
+    EXPECT_GT(world.lostTime()[0].seconds, (1 - limit / (500 * kStep)) * kStep * (1 + 1e-6)) << "cut once";
+    EXPECT_LT(world.lostTime()[0].seconds, kStep);
+}
+
 TEST(SpeedLimit, LeavesTheSlowAlone) {
     const auto drop = [](ContinuousMode mode) {
         World world = makeWorld(modeSettings(mode, kGravity));
