@@ -39,6 +39,7 @@ void merge(WorldState& world, FlightScratch& scratch) {
     moveAll(world.lostTime, scratch.lostTime);
     moveAll(world.impactPoses, scratch.impactPoses);
     moveAll(world.crossed, scratch.crossed);
+    scratch.met.clear();  // by a flight that ended there: its shapes may be gone by the next step, and their slots, too
     addPart(world.counters, scratch.counters);
     scratch.counters = {};
 }
