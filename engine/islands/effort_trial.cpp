@@ -104,9 +104,8 @@ bool raise(IslandErrors& errors, Effort& effort, const WorldSettings& settings) 
     const int most = std::max(kMostSubSteps, subSteps);
     const std::int8_t first = effort.doublings;
     for (Real left = excess; left > 1; left /= kErrorOfDoublingByTry[errors.tries]) {
-        const Effort more{.doublings = static_cast<std::int8_t>(effort.doublings + 1),
-                          .direct = effort.direct,
-                          .retry = effort.retry};
+        Effort more = effort;  // a large web is searched as patiently, and what takes turns stays in their class
+        ++more.doublings;
         if (subStepsFor(more, subSteps) > most) { break; }
         effort = more;
     }

@@ -1,25 +1,15 @@
 #include "../support/random.h"
 #include "joint_support.h"
-
-#include <swept/engine/state/world_state.h>
+#include "state_of.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <vector>
 
 /// What a jerk takes from bodies by opening their joints comes back as these close, and no more than that.
 
 namespace swept::test {
 namespace {
-
-/// No call tells of loans, which are no business of users. Explicit instantiations may name what is private.
-WorldState& stateOf(const World& world);
-template <std::unique_ptr<WorldState> World::*kState>
-struct StateOf {
-    friend WorldState& stateOf(const World& world) { return *(world.*kState); }
-};
-template struct StateOf<&World::state_>;
 
 ShapeDef loose(double density) {
     ShapeDef def = material(0.6, 0, density);
