@@ -4,6 +4,7 @@
 
 #include "../flight/chain_crossing.h"
 #include "../solve/lent_energy.h"
+#include "../solve/solve_outcome.h"
 #include "../state/profile.h"
 #include "island_advance.h"
 
@@ -50,13 +51,7 @@ void rememberContacts(WorldState& world) {
         const std::uint32_t island = islandOf(fast, pair.bodyA, pair.bodyB);
         if (island == kNoIndex || fast.isTried[island] == 0) { continue; }
         const Contact& contact = world.contacts[pair.contact];
-        fast.triedContacts.push_back({.contact = pair.contact,
-                                      .island = island,
-                                      .normalImpulse = contact.normalImpulse,
-                                      .tangentImpulse = contact.tangentImpulse,
-                                      .totalImpulse = contact.totalImpulse,
-                                      .pressed = contact.pressed,
-                                      .pressedOn = contact.pressedOn});
+        fast.triedContacts.push_back({.island = island, .before = outcomeOf(contact, pair.contact)});
     }
 }
 
@@ -67,10 +62,10 @@ void placeTried(FastIslands& fast) {
     for (std::size_t i = 0; i < fast.isTried.size(); ++i) {
         fast.triedPlaces[i] = next;
         if (fast.isTried[i] == 0) { continue; }
-        next.motion += fast.bodies.of(i).size();
+        next.body += fast.bodies.of(i).size();
         next.hinge += fast.joints.of(i).size();
     }
-    fast.triedMotions.resize(next.motion);
+    fast.triedBodies.resize(next.body);
     fast.triedHinges.resize(next.hinge);
 }
 
@@ -79,7 +74,7 @@ void remember(WorldState& world, std::size_t island) {
     FastIslands& fast = world.fastIslands;
     TriedPlace place = fast.triedPlaces[island];
     for (const std::uint32_t slot : fast.bodies.of(island)) {
-        fast.triedMotions[place.motion++] = world.motions[slot];
+        fast.triedBodies[place.body++] = outcomeOf(world, slot);
         world.bodies[slot].role = BodyRole::solved;
     }
     for (const std::uint32_t joint : fast.joints.of(island)) {
@@ -105,12 +100,8 @@ void judge(WorldState& world, std::size_t island, double dt, FlightScratch& scra
     }
     TriedPlace place = fast.triedPlaces[island];
     for (const std::uint32_t slot : members) {
-        Body& body = world.bodies[slot];
-        body.role = BodyRole::together;
-        if (meets) {
-            world.motions[slot] = fast.triedMotions[place.motion++];
-            body.flung = false;
-        }
+        world.bodies[slot].role = BodyRole::together;
+        if (meets) { restore(world, slot, fast.triedBodies[place.body++]); }
     }
     if (!meets) { return; }
     for (const std::uint32_t joint : fast.joints.of(island)) {
@@ -122,14 +113,8 @@ void judge(WorldState& world, std::size_t island, double dt, FlightScratch& scra
 
 void takeBackContacts(WorldState& world) {
     const FastIslands& fast = world.fastIslands;
-    for (const TriedContact& before : fast.triedContacts) {
-        if (!(fast.meets[before.island] < 1)) { continue; }
-        Contact& contact = world.contacts[before.contact];
-        contact.normalImpulse = before.normalImpulse;
-        contact.tangentImpulse = before.tangentImpulse;
-        contact.totalImpulse = before.totalImpulse;
-        contact.pressed = before.pressed;
-        contact.pressedOn = before.pressedOn;
+    for (const TriedContact& tried : fast.triedContacts) {
+        if (fast.meets[tried.island] < 1) { restore(world.contacts[tried.before.contact], tried.before); }
     }
     const auto first = world.contactEvents.begin() + static_cast<std::ptrdiff_t>(fast.eventsBefore);
     const auto isOfIsland = [&fast](const ContactEvent& event) {

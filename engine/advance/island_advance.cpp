@@ -11,6 +11,7 @@
 #include "../flight/solved_path.h"
 #include "../modes/modes.h"
 #include "../solve/lent_energy.h"
+#include "../solve/solve_outcome.h"
 #include "../solve/tied_group.h"
 #include "../state/profile.h"
 #include "cut_motion.h"
@@ -113,7 +114,7 @@ void remember(Course& course, bool isTried) {
     island.membersBefore.clear();
     for (const std::uint32_t slot : island.members) {
         const BodyMotion& motion = course.world.motions[slot];
-        island.membersBefore.push_back(motion);
+        island.membersBefore.push_back(outcomeOf(course.world, slot));
         course.world.bodies[slot].startCenter = motion.center;
         course.world.bodies[slot].startAngle = motion.angle;
     }
@@ -128,7 +129,7 @@ void remember(Course& course, bool isTried) {
 void takeBack(Course& course) {
     AdvancingIsland& island = course.island;
     for (std::size_t i = 0; i < island.members.size(); ++i) {
-        course.world.motions[island.members[i]] = island.membersBefore[i];
+        restore(course.world, island.members[i], island.membersBefore[i]);
     }
     for (std::size_t i = 0; i < island.jointSlots.size(); ++i) {
         course.world.joints[island.jointSlots[i]] = island.jointsBefore[i];
@@ -150,7 +151,7 @@ bool isSweptMember(const WorldState& world, std::uint32_t slot, double share) {
 void cutPart(Course& course, double time, double fraction) {
     const AdvancingIsland& island = course.island;
     for (std::size_t i = 0; i < island.members.size(); ++i) {
-        cutMotion(course.world, island.members[i], island.membersBefore[i], time, fraction);
+        cutMotion(course.world, island.members[i], island.membersBefore[i].motion, time, fraction);
     }
 }
 
@@ -214,7 +215,7 @@ void begin(Course& course) {
     if (course.scratch.ground != nullptr) { meetWhatIsKnown(course); }
     island.membersAtStart.clear();
     for (const std::uint32_t slot : island.members) {
-        island.membersAtStart.push_back(course.world.motions[slot]);
+        island.membersAtStart.push_back(outcomeOf(course.world, slot));
         beginCrossings(course.world, slot, course.scratch);
     }
     for (const std::uint32_t slot : island.jointSlots) {
@@ -230,8 +231,8 @@ void finish(Course& course) {
     course.ground.goBack();
     for (std::size_t i = 0; i < island.members.size(); ++i) {
         Body& body = course.world.bodies[island.members[i]];
-        body.startCenter = island.membersAtStart[i].center;
-        body.startAngle = island.membersAtStart[i].angle;
+        body.startCenter = island.membersAtStart[i].motion.center;
+        body.startAngle = island.membersAtStart[i].motion.angle;
     }
     setSubStep(course.world, island, island.usualSubStep);
     storeHeld(course.world, course.desk);

@@ -4,6 +4,7 @@
 
 #include "../bodies/body_mass.h"
 #include "../solve/joint_builder.h"
+#include "../solve/solve_outcome.h"
 #include "../state/profile.h"
 #include "../state/world_state.h"
 #include "effort_budget.h"
@@ -30,10 +31,10 @@ void forEachKinematic(const WorldState& world, const Visit& visit) {
 }
 
 void moveKinematics(WorldState& world, double dt) {
-    world.trial.motions.resize(std::max<std::size_t>(world.trial.motions.size(), world.bodies.slotCount()));
+    world.trial.bodies.resize(std::max<std::size_t>(world.trial.bodies.size(), world.bodies.slotCount()));
     forEachKinematic(world, [&](std::uint32_t slot) {
         BodyMotion& motion = world.motions[slot];
-        world.trial.motions[slot] = motion;
+        world.trial.bodies[slot].motion = motion;
         motion.center += dt * toDouble(motion.velocity);
         motion.angle += dt * static_cast<double>(motion.angularVelocity);
         updatePose(world, slot);
@@ -41,12 +42,12 @@ void moveKinematics(WorldState& world, double dt) {
 }
 
 void putKinematicsBack(WorldState& world) {
-    forEachKinematic(world, [&](std::uint32_t slot) { world.motions[slot] = world.trial.motions[slot]; });
+    forEachKinematic(world, [&](std::uint32_t slot) { world.motions[slot] = world.trial.bodies[slot].motion; });
 }
 
 const WorldTransform& poseBeforeTrial(const WorldState& world, std::uint32_t slot) {
     const bool mayMove = world.bodies[slot].def.type != BodyType::fixed;
-    return mayMove ? world.trial.motions[slot].pose : world.motions[slot].pose;
+    return mayMove ? world.trial.bodies[slot].motion.pose : world.motions[slot].pose;
 }
 
 /// What the motion of the step makes of the points that a contact had as it began: how deep they are, metres.
@@ -136,15 +137,11 @@ void addEffort(std::vector<Effort>& efforts, std::size_t place, Effort effort) {
 
 /// As it was remembered: what `isTakenBack` tells of a body's slot.
 template <class IsTakenBack>
-void restore(WorldState& world, const IsTakenBack& isTakenBack) {
+void restoreClass(WorldState& world, const IsTakenBack& isTakenBack) {
     const EffortTrial& trial = world.trial;
     for (const ContactOutcome& outcome : trial.contacts) {
         Contact& contact = world.contacts[outcome.contact];
-        if (!isTakenBack(contact.dynamicA ? contact.bodyA : contact.bodyB)) { continue; }
-        contact.normalImpulse = outcome.normalImpulse;
-        contact.tangentImpulse = outcome.tangentImpulse;
-        contact.totalImpulse = outcome.totalImpulse;
-        contact.pressed = outcome.pressed;
+        if (isTakenBack(contact.dynamicA ? contact.bodyA : contact.bodyB)) { restore(contact, outcome); }
     }
     for (std::size_t i = 0; i < trial.joints.size(); ++i) {
         Joint& joint = world.joints[world.tiedJoints[i]];
@@ -160,8 +157,7 @@ void restore(WorldState& world, const IsTakenBack& isTakenBack) {
                               world.contactEvents.end());
     for (const std::uint32_t slot : trial.members) {
         if (!isTakenBack(slot)) { continue; }
-        world.motions[slot] = trial.motions[slot];
-        world.bodies[slot].flung = false;
+        restore(world, slot, trial.bodies[slot]);
         ++world.counters.bodiesAgain;
     }
     for (const ChainLoan& loan : trial.loans) {
@@ -184,22 +180,17 @@ void rememberLoans(WorldState& world, Effort effort) {
 
 void rememberClass(WorldState& world, Effort effort) {
     EffortTrial& trial = world.trial;
-    trial.motions.resize(std::max<std::size_t>(trial.motions.size(), world.bodies.slotCount()));
+    trial.bodies.resize(std::max<std::size_t>(trial.bodies.size(), world.bodies.slotCount()));
     trial.members.clear();
     for (const std::uint32_t slot : world.tied) {
         if (!isMember(world, slot, effort)) { continue; }
         trial.members.push_back(slot);
-        trial.motions[slot] = world.motions[slot];
+        trial.bodies[slot] = outcomeOf(world, slot);
     }
     trial.contacts.clear();
     for (const TouchingPair& pair : world.touching) {
         if (!isMember(world, pair.dynamicBody(), effort)) { continue; }
-        const Contact& contact = world.contacts[pair.contact];
-        trial.contacts.push_back({.contact = pair.contact,
-                                  .normalImpulse = contact.normalImpulse,
-                                  .tangentImpulse = contact.tangentImpulse,
-                                  .totalImpulse = contact.totalImpulse,
-                                  .pressed = contact.pressed});
+        trial.contacts.push_back(outcomeOf(world.contacts[pair.contact], pair.contact));
     }
     trial.joints.clear();
     for (const std::uint32_t i : world.tiedJoints) { trial.joints.push_back(world.joints[i]); }
@@ -215,7 +206,7 @@ void takeBackMissed(WorldState& world, std::size_t place, double dt) {
         const Body& body = world.bodies[slot];
         return body.role == BodyRole::solved && world.islandErrors[world.islands.find(slot)].next != body.effort;
     };
-    restore(world, isTakenBack);
+    restoreClass(world, isTakenBack);
     for (const std::uint32_t slot : world.trial.members) {
         const Effort next = world.islandErrors[world.islands.find(slot)].next;
         Body& body = world.bodies[slot];
@@ -227,7 +218,7 @@ void takeBackMissed(WorldState& world, std::size_t place, double dt) {
 
 void takeBackClass(WorldState& world, std::size_t place, Effort next) {
     const Effort effort = world.efforts[place];
-    restore(world, [&world, effort](std::uint32_t slot) { return isMember(world, slot, effort); });
+    restoreClass(world, [&world, effort](std::uint32_t slot) { return isMember(world, slot, effort); });
     for (const std::uint32_t slot : world.trial.members) { world.bodies[slot].effort = next; }
     addEffort(world.efforts, place, next);
 }

@@ -13,6 +13,7 @@
 #include "../modes/modes.h"
 #include "../solve/lent_energy.h"
 #include "../solve/solve_desk.h"
+#include "../solve/solve_outcome.h"
 #include "../state/profile.h"
 #include "step.h"
 
@@ -257,8 +258,7 @@ void takeBack(WorldState& world, IslandDesk& desk, const Traces& before, FlightS
     const AdvancingIsland& fast = desk.island;
     const EffortTrial& trial = world.trial;
     for (std::size_t i = 0; i < fast.members.size(); ++i) {
-        world.motions[fast.members[i]] = fast.membersAtStart[i];
-        world.bodies[fast.members[i]].flung = false;
+        restore(world, fast.members[i], fast.membersAtStart[i]);
     }
     for (std::size_t i = 0; i < trial.held.size(); ++i) { world.contacts[fast.sources[i]] = trial.held[i]; }
     for (std::size_t i = 0; i < fast.jointSlots.size(); ++i) { world.joints[fast.jointSlots[i]] = trial.joints[i]; }

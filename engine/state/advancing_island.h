@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "../containers/boxed_items.h"
-#include "body.h"
 #include "chain_passer.h"
 #include "contact.h"
 #include "joint.h"
 #include "lent_energy_state.h"
 #include "slide.h"
 #include "solve_desk.h"
+#include "solve_outcome.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -32,8 +32,8 @@ struct AdvancingIsland {
     std::vector<std::uint64_t> metPairs;      ///< of shape slots
     double usualSubStep = 0;                  ///< of the world, s
     double subStep = 0;                       ///< that the impulses of the held contacts belong to, s
-    std::vector<BodyMotion> membersAtStart;   ///< of the step
-    std::vector<BodyMotion> membersBefore;    ///< before the part that is being tried
+    std::vector<BodyOutcome> membersAtStart;  ///< of the step
+    std::vector<BodyOutcome> membersBefore;   ///< before the part that is being tried
     std::vector<Contact> heldBefore;          ///< likewise, but for the first part
     std::vector<std::array<Real, 2>> totals;  ///< by held contact: impulses of the parts before
     std::vector<Joint> jointsBefore;

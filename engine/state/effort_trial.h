@@ -1,25 +1,15 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "body.h"
 #include "contact.h"
 #include "joint.h"
 #include "lent_energy_state.h"
+#include "solve_outcome.h"
 
 namespace swept::inline SWEPT_PRECISION {
-
-/// What a solve changes of a contact.
-struct ContactOutcome {
-    std::uint32_t contact = 0;  ///< index
-    std::array<Real, 2> normalImpulse{};
-    std::array<Real, 2> tangentImpulse{};
-    std::array<Real, 2> totalImpulse{};
-    bool pressed = false;
-};
 
 /// What joints of a chain may give back.
 struct ChainLoan {
@@ -29,7 +19,7 @@ struct ChainLoan {
 
 /// State of a class of islands before it is solved. Kept for its capacity.
 struct EffortTrial {
-    std::vector<BodyMotion> motions;     ///< by body slot; of members and kinematic bodies
+    std::vector<BodyOutcome> bodies;     ///< by body slot; of members, and the motions of kinematic ones
     std::vector<std::uint32_t> members;  ///< slots
     std::vector<ContactOutcome> contacts;
     std::vector<Joint> joints;  ///< in the order of `WorldState::tiedJoints`

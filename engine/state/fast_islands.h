@@ -1,33 +1,27 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "../containers/island_items.h"
-#include "body.h"
 #include "clash_work.h"
 #include "contact.h"
 #include "joint.h"
 #include "lent_energy_state.h"
 #include "moving_ground.h"
+#include "solve_outcome.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// What a solve changes in a contact (first_try.h).
+/// A contact of an island that is solved with all else at first (first_try.h).
 struct TriedContact {
-    std::uint32_t contact = 0;  ///< index
     std::uint32_t island = 0;
-    std::array<Real, 2> normalImpulse{};
-    std::array<Real, 2> tangentImpulse{};
-    std::array<Real, 2> totalImpulse{};
-    bool pressed = false;
-    bool pressedOn = false;
+    ContactOutcome before{};
 };
 
 /// Where an island keeps what such a solve changes: index of its first member and joint there, and its loan.
 struct TriedPlace {
-    std::size_t motion = 0;
+    std::size_t body = 0;
     std::size_t hinge = 0;
     LentEnergy lent{};
 };
@@ -45,7 +39,7 @@ struct FastIslands {
     std::vector<double> meets;  ///< by island: fraction of the step at which it met something then; 1: it did not
     std::vector<TriedPlace> triedPlaces;      ///< by island, likewise: in the last two of these
     std::vector<TriedContact> triedContacts;  ///< of all of them, before
-    std::vector<BodyMotion> triedMotions;     ///< of their members
+    std::vector<BodyOutcome> triedBodies;     ///< their members
     std::vector<HingeMemory> triedHinges;     ///< and of their joints
     std::size_t eventsBefore = 0;
     IslandItems bodies;                                             ///< slots, in order of waking

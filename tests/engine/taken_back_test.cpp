@@ -38,5 +38,38 @@ TEST(TakenBack, MoreSubStepsChangeNothingElse) {
     EXPECT_EQ(after, before);
 }
 
+/// A ball lands in a bowl of straight pieces, and in the same step meets the next one: it loses what goes across the
+/// piece that it lands on, as any that comes down. What the solve that was taken back took it to be borne by is no
+/// ground of the step before, of which a curve would give that back.
+TEST(TakenBack, WhatLandsWasNotBorneBefore) {
+    constexpr double kRadius = 5;
+    constexpr double kPiece = 0.24;  // radians
+    constexpr double kEnd = 1.2;
+    constexpr double kDown = 0.2;
+    constexpr double kSpeed = 50;
+    constexpr double kGap = 0.03;
+    for (const Profile profile : kProfiles) {
+        for (int i = 0; i < 10; ++i) {
+            World world = makeWorld(profile);
+            std::vector<Vec2> points;
+            for (double at = -kEnd; at < kEnd + 0.5 * kPiece; at += kPiece) {
+                points.push_back(vec(-kRadius * std::sin(at), -kRadius * std::cos(at)));
+            }
+            must(world.addChain(must(world.createBody({})), points, false, material(0)));
+            const double middle = kPiece * (2.5 + static_cast<double>(i / 2)) - kEnd;
+            const double place = middle + (i % 2 == 0 ? -0.01 : 0.02);
+            const DVec2 start = turned({0, -(kRadius - 0.25 - kGap)}, place);
+            const Vec2 velocity = toReal(turned({kSpeed, 0}, place - kDown));
+            const BodyId ball = addBody(world, dynamicAt(start, velocity), circle(0.25), material(0));
+            const double before = 0.5 * kSpeed * kSpeed + kGravity * start.y;
+            must(world.step(kStep));
+            const DVec2 after = velocityOf(world, ball);
+            const double lost = before - 0.5 * dot(after, after) - kGravity * world.position(ball).y;
+            const double across = kSpeed * std::sin(middle - place + kDown);
+            EXPECT_NEAR(lost, 0.5 * across * across, 0.5) << profileName(profile) << ' ' << i;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
