@@ -13,9 +13,11 @@ inline BodyOutcome outcomeOf(const WorldState& world, std::uint32_t slot) {
     return {.motion = world.motions[slot],
             .groundNormal = body.groundNormal,
             .ground = body.ground,
-            .flung = body.flung};
+            .flung = body.flung,
+            .sunk = body.sunk};
 }
 
+/// All but `sunk`, which stays true where it starts anew from the same place.
 inline void restore(WorldState& world, std::uint32_t slot, const BodyOutcome& before) {
     Body& body = world.bodies[slot];
     world.motions[slot] = before.motion;

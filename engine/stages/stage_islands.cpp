@@ -243,9 +243,16 @@ struct Traces {
     std::size_t found;
     std::size_t poses;
     std::size_t losses;
+    std::size_t crossed;
+    std::uint64_t impacts;
 };
 Traces tracesOf(const IslandDesk& desk, const FlightScratch& scratch) {
-    return {desk.events.size(), desk.found.size(), scratch.impactPoses.size(), scratch.lostTime.size()};
+    return {.events = desk.events.size(),
+            .found = desk.found.size(),
+            .poses = scratch.impactPoses.size(),
+            .losses = scratch.lostTime.size(),
+            .crossed = scratch.crossed.size(),
+            .impacts = scratch.counters.impacts};
 }
 
 template <class Items>
@@ -259,6 +266,7 @@ void takeBack(WorldState& world, IslandDesk& desk, const Traces& before, FlightS
     const EffortTrial& trial = world.trial;
     for (std::size_t i = 0; i < fast.members.size(); ++i) {
         restore(world, fast.members[i], fast.membersAtStart[i]);
+        world.bodies[fast.members[i]].sunk = fast.membersAtStart[i].sunk;  // it may come another way
     }
     for (std::size_t i = 0; i < trial.held.size(); ++i) { world.contacts[fast.sources[i]] = trial.held[i]; }
     for (std::size_t i = 0; i < fast.jointSlots.size(); ++i) { world.joints[fast.jointSlots[i]] = trial.joints[i]; }
@@ -267,6 +275,8 @@ void takeBack(WorldState& world, IslandDesk& desk, const Traces& before, FlightS
     cutTo(desk.found, before.found);
     cutTo(scratch.impactPoses, before.poses);
     cutTo(scratch.lostTime, before.losses);
+    cutTo(scratch.crossed, before.crossed);
+    scratch.counters.impacts = before.impacts;
 }
 
 /// One after the other.

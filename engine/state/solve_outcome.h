@@ -14,6 +14,7 @@ struct BodyOutcome {
     Vec2 groundNormal{};  ///< see `Body`: of the step before, until a solve overwrites it
     std::uint32_t ground = kNoIndex;
     bool flung = false;
+    bool sunk = false;  ///< not by the solve, but by sweeps over the way that it found
 };
 
 /// Likewise, of a contact.
