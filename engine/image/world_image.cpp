@@ -3,6 +3,7 @@
 #include <bit>
 #include <cassert>
 
+#include "../../solver/body_state.h"
 #include "broadphase_image.h"
 #include "checksum.h"
 #include "decode.h"
@@ -73,6 +74,7 @@ Status readImage(std::span<const std::uint8_t> bytes, WorldState& world) {
     world.broadphase = makeBroadphase(kind);
     decode(content, kind, *world.broadphase);
     content.take(world);
+    world.solverSlots.assign(world.bodies.slotCount(), kFixedSlot);  // as between all solves
     const bool makesSense = content.isDone() && world.settings.broadphase == kind;
     return makesSense ? Status::success() : Status{StatusCode::damaged, "bytes"};
 }

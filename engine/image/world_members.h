@@ -47,7 +47,7 @@ constexpr auto allMembers(T& stirs) {
 template <MaybeConst<WorldState> T>
 constexpr auto allMembers(T& w) {
     const auto all =
-        listed(w.settings, leftOut(w.contactFilter), w.bodies, w.motions, w.solverSlots, w.shapes, w.awake,
+        listed(w.settings, leftOut(w.contactFilter), w.bodies, w.motions, leftOut(w.solverSlots), w.shapes, w.awake,
                w.departures, w.awakeGaps, w.stepped, w.chainSegments, w.shapeMasses, leftOut(w.massParts), w.sensors,
                w.bouncyShapes, w.rollingShapes, w.chainShapes, leftOut(w.sensorSweeps), w.leastPassed,
                w.leastPassedOfSensors, w.kinematicBodies, w.fixedBodies, w.bulletBodies, w.leastWidth,

@@ -65,8 +65,9 @@ struct WorldState : Workers {
     WorldSettings settings;
     const ContactFilter* contactFilter = nullptr;  ///< of the user's
     SlotPool<Body, BodyId> bodies;
-    std::vector<BodyMotion> motions;    ///< by body slot
-    std::vector<BodySlot> solverSlots;  ///< by body slot: in its present solve, of what that moves or may meet
+    std::vector<BodyMotion> motions;  ///< by body slot
+    /// By body slot: in its present solve, of what that moves or may meet; between solves `kFixedSlot`, all of them.
+    std::vector<BodySlot> solverSlots;
     SlotPool<Shape, ShapeId> shapes;
     SlotPool<Joint, JointId> joints;
     std::vector<JointTie> jointTies;            ///< by joint slot
