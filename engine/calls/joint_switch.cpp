@@ -7,6 +7,7 @@
 #include "../bodies/levers.h"
 #include "../solve/joint_place.h"
 #include "../solve/joint_results.h"
+#include "../solve/joint_tie.h"
 #include "../state/number_range.h"
 #include "joint_turns.h"
 

@@ -7,6 +7,7 @@
 
 #include "../bodies/awake.h"
 #include "../solve/driven_joints.h"
+#include "../solve/joint_tie.h"
 #include "../state/number_range.h"
 #include "../state/world_state.h"
 #include "../world.h"

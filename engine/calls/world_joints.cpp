@@ -8,6 +8,7 @@
 #include "../bodies/levers.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../solve/joint_builder.h"
+#include "../solve/joint_tie.h"
 #include "../state/number_range.h"
 #include "../state/world_state.h"
 #include "../world.h"

@@ -141,6 +141,4 @@ struct JointTie {
 };
 static_assert(sizeof(JointTie) == 12);
 
-JointTie tieOf(const Joint& joint);
-
 }  // namespace swept::inline SWEPT_PRECISION

@@ -1,4 +1,6 @@
-#include "joint.h"
+#include "joint_tie.h"
+
+#include <variant>
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
