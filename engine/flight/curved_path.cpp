@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "../solve/curved_ground.h"
+#include "../bodies/body_form.h"
 #include "../state/tolerances.h"
 #include "flight_state.h"
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "../bodies/body_form.h"
 #include "../contacts/ghosts.h"
 #include "../contacts/hit_event.h"
 #include "../modes/modes.h"

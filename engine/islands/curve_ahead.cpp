@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "../solve/curved_ground.h"
+#include "../bodies/body_form.h"
 #include "../state/tolerances.h"
 
 namespace swept::inline SWEPT_PRECISION {

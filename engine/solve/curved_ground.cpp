@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "../bodies/body_form.h"
 #include "../containers/any_of.h"
 #include "energy_gain.h"
 

@@ -5,12 +5,6 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// Radians in a solve, or from one piece to the next, beyond which ground is no curve any more, but a corner.
-inline constexpr Real kMostCurve = Real(1) / 4;
-
-/// Of solid shapes, all of them: a circle about the centre of mass.
-inline bool isRound(const Body& body) { return body.extent >= (2 - 8 * kEpsilon) * body.radius; }
-
 /// Contacts keep their normals for a whole solve, so what rides on curved ground goes straight on in it, along the
 /// ground as that was at the start: v²t²/2ρ into the curve. Then it is pushed out, without speed, which lifts it at no
 /// cost; and where it is going by then, across the new normal, is lost. To a ball in a shallow bowl the lift is more:

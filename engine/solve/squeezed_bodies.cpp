@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "../bodies/body_form.h"
 #include "../contacts/contact_making.h"
 #include "../containers/any_of.h"
 

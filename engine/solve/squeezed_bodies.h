@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "../state/solve_desk.h"
 #include "tied_group.h"
 
@@ -21,25 +19,6 @@ inline constexpr Real kMostSqueezed = 8;
 constexpr Real mostSqueezedSpeed(Real before, Real lead) {
     const Real led = kMostSqueezed * lead;
     return before < led ? led : before;
-}
-
-/// Radius of gyration, metres; 0 of what does not turn.
-inline Real gyrationOf(const Body& body) {
-    return body.inverseMass > 0 && body.inverseInertia > 0 ? std::sqrt(body.inverseMass / body.inverseInertia)
-                                                           : Real(0);
-}
-
-/// @return whether it was too long
-inline bool shortenTo(Vec2& vector, Real most) {
-    const Real size = length(vector);
-    if (!(size > most)) { return false; }
-    vector = (most / size) * vector;
-    return true;
-}
-inline bool shortenTo(Real& number, Real most) {
-    if (!(std::fabs(number) > most)) { return false; }
-    number = std::copysign(most, number);
-    return true;
 }
 
 /// After a solve, before its bodies are read. @pre contacts were read @param time  that was solved for, s
