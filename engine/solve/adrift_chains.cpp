@@ -46,78 +46,119 @@ void dropTouched(const WorldState& world, const TiedGroup& group, std::vector<Ch
     }
 }
 
+/// The accounts of chains that drift in a solve, and their members there.
+class AdriftChains {
+public:
+    AdriftChains(const WorldState& world, const TiedGroup& group)
+        : world_(world), group_(group), spins_(group.desk.chainSpins) {
+        spins_.assign(isOne_ ? 1 : world.jointChains.list.size(), {});
+    }
+
+    /// Sums over the members of each chain, m its mass: Σm, Σm·c and Σm·v, before the solve and after it. Whose members
+    /// are not all there, are pulled apart, or turned by something else, is dropped.
+    void addUpMotions() {
+        forEachMember([this](ChainSpin& spin, std::uint32_t slot, DVec2 before, const BodyState& state) {
+            const Body& body = world_.bodies[slot];
+            const Vec2 acceleration = accelerationOf(world_, body);
+            if (spin.bodies++ == 0) { spin.acceleration = acceleration; }
+            spin.isKept = keepsSpin(body) && acceleration == spin.acceleration;
+            spin.touches = spin.touches || body.hasContact;
+            spin.mass += body.mass;
+            spin.before.center += body.mass * before;
+            spin.before.velocity += body.mass * toDouble(world_.motions[slot].velocity);
+            spin.after.center += body.mass * (before + toDouble(state.deltaPosition));
+            spin.after.velocity += body.mass * toDouble(state.velocity);
+        });
+        bool touch = false;
+        for (ChainSpin& spin : spins_) {
+            spin.isKept = spin.isKept && spin.bodies > 0 && spin.bodies == spin.members;
+            // What an island meets on its way its bodies do not know.
+            touch = touch || (spin.isKept && (spin.touches || isOne_));
+        }
+        if (touch) { dropTouched(world_, group_, spins_); }
+    }
+
+    /// Centre and velocity of each chain as a whole: Σm·c / Σm, Σm·v / Σm. @return whether there is any chain left
+    bool findWholes() {
+        bool isAny = false;
+        for (ChainSpin& spin : spins_) {
+            if (!spin.isKept) { continue; }
+            for (ChainSpin::Whole* const whole : {&spin.before, &spin.after}) {
+                whole->center = (1 / spin.mass) * whole->center;
+                whole->velocity = (1 / spin.mass) * whole->velocity;
+            }
+            isAny = true;
+        }
+        return isAny;
+    }
+
+    /// About the centre of its chain each member has the inertia m·|r|² + I and the spin m·r × (v − V) + I·ω: the sum
+    /// of the first after the solve, and what the sum of the second gained in it.
+    void addUpSpins() {
+        forEachMember([this](ChainSpin& spin, std::uint32_t slot, DVec2 before, const BodyState& state) {
+            const Body& body = world_.bodies[slot];
+            const BodyMotion& motion = world_.motions[slot];
+            const DVec2 armBefore = before - spin.before.center;
+            const DVec2 arm = before + toDouble(state.deltaPosition) - spin.after.center;
+            spin.inertia += body.mass * dot(arm, arm) + body.inertia;
+            spin.gained += body.mass * (cross(arm, toDouble(state.velocity) - spin.after.velocity) -
+                                        cross(armBefore, toDouble(motion.velocity) - spin.before.velocity)) +
+                           body.inertia * static_cast<double>(state.angularVelocity - motion.angularVelocity);
+        });
+    }
+
+    /// The chain turns as one by what it gained, over its inertia, less.
+    void turnBack() {
+        const Real maxSpeed = world_.settings.maxSpeed;
+        forEachMember([maxSpeed](ChainSpin& spin, std::uint32_t, DVec2 before, BodyState& state) {
+            const double change = -spin.gained / spin.inertia;
+            if (!std::isfinite(change)) { return; }
+            const DVec2 arm = before + toDouble(state.deltaPosition) - spin.after.center;
+            state.velocity += toReal(change * DVec2{-arm.y, arm.x});
+            const Real speed = length(state.velocity);
+            if (speed > maxSpeed) { state.velocity = (maxSpeed / speed) * state.velocity; }
+            state.angularVelocity += static_cast<Real>(change);
+        });
+    }
+
+private:
+    /// Of chains that are still kept: calls `visit(spin, slot, center, state)` with the centre of the member before the
+    /// solve, relative to that of the lowest one.
+    template <class Visit>
+    void forEachMember(const Visit& visit) {
+        const JointChains& chains = world_.jointChains;
+        SolveDesk& desk = group_.desk;
+        for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+            const std::uint32_t slot = desk.bodies[i];
+            if (world_.bodies[slot].holdingJoints == 0 || !isMovable(desk.batch.inertias[i + 1])) { continue; }
+            const std::uint32_t place = adriftChainOf(world_, slot);
+            if (place == kNoIndex) { continue; }
+            ChainSpin& spin = spins_[isOne_ ? 0 : place];
+            if (!spin.isKept) { continue; }
+            spin.members = chains.list[place].bodies;
+            const DVec2 before = world_.motions[slot].center - world_.motions[chains.list[place].lowest].center;
+            visit(spin, slot, before, desk.batch.states[i + 1]);
+        }
+    }
+
+    const WorldState& world_;
+    const TiedGroup& group_;
+    /// What goes from impact to impact is one island, and is solved many times in a step.
+    const bool isOne_ = group_.role != BodyRole::solved;
+    std::vector<ChainSpin>& spins_;  ///< by place in the list of chains, or of the one alone
+};
+
 }  // namespace
 
 void keepSpinOfAdrift(const WorldState& world, const TiedGroup& group) {
     const JointChains& chains = world.jointChains;
-    SolveDesk& desk = group.desk;
     const bool isExact = group.effort.direct == DirectScope::islands;
     if (!chains.isAnyAdrift || chains.tieSleepers || group.joints.empty() || isExact) { return; }
-    std::vector<ChainSpin>& spins = desk.chainSpins;
-    // What goes from impact to impact is one island, and is solved many times in a step.
-    const bool isOne = group.role != BodyRole::solved;
-    spins.assign(isOne ? 1 : chains.list.size(), {});
-    const auto forEachMember = [&](const auto& visit) {
-        for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-            const std::uint32_t slot = desk.bodies[i];
-            if (world.bodies[slot].holdingJoints == 0 || !isMovable(desk.batch.inertias[i + 1])) { continue; }
-            const std::uint32_t place = adriftChainOf(world, slot);
-            if (place == kNoIndex) { continue; }
-            ChainSpin& spin = spins[isOne ? 0 : place];
-            if (!spin.isKept) { continue; }
-            spin.members = chains.list[place].bodies;
-            const DVec2 before = world.motions[slot].center - world.motions[chains.list[place].lowest].center;
-            visit(spin, slot, before, desk.batch.states[i + 1]);
-        }
-    };
-    forEachMember([&](ChainSpin& spin, std::uint32_t slot, DVec2 before, const BodyState& state) {
-        const Body& body = world.bodies[slot];
-        const Vec2 acceleration = accelerationOf(world, body);
-        if (spin.bodies++ == 0) { spin.acceleration = acceleration; }
-        spin.isKept = keepsSpin(body) && acceleration == spin.acceleration;
-        spin.touches = spin.touches || body.hasContact;
-        spin.mass += body.mass;
-        spin.before.center += body.mass * before;
-        spin.before.velocity += body.mass * toDouble(world.motions[slot].velocity);
-        spin.after.center += body.mass * (before + toDouble(state.deltaPosition));
-        spin.after.velocity += body.mass * toDouble(state.velocity);
-    });
-    bool touch = false;
-    for (ChainSpin& spin : spins) {
-        spin.isKept = spin.isKept && spin.bodies > 0 && spin.bodies == spin.members;
-        // What an island meets on its way its bodies do not know.
-        touch = touch || (spin.isKept && (spin.touches || isOne));
-    }
-    if (touch) { dropTouched(world, group, spins); }
-    bool isAny = false;
-    for (ChainSpin& spin : spins) {
-        if (!spin.isKept) { continue; }
-        for (ChainSpin::Whole* const whole : {&spin.before, &spin.after}) {
-            whole->center = (1 / spin.mass) * whole->center;
-            whole->velocity = (1 / spin.mass) * whole->velocity;
-        }
-        isAny = true;
-    }
-    if (!isAny) { return; }
-    forEachMember([&](ChainSpin& spin, std::uint32_t slot, DVec2 before, const BodyState& state) {
-        const Body& body = world.bodies[slot];
-        const BodyMotion& motion = world.motions[slot];
-        const DVec2 armBefore = before - spin.before.center;
-        const DVec2 arm = before + toDouble(state.deltaPosition) - spin.after.center;
-        spin.inertia += body.mass * dot(arm, arm) + body.inertia;
-        spin.gained += body.mass * (cross(arm, toDouble(state.velocity) - spin.after.velocity) -
-                                    cross(armBefore, toDouble(motion.velocity) - spin.before.velocity)) +
-                       body.inertia * static_cast<double>(state.angularVelocity - motion.angularVelocity);
-    });
-    forEachMember([&](ChainSpin& spin, std::uint32_t, DVec2 before, BodyState& state) {
-        const double change = -spin.gained / spin.inertia;
-        if (!std::isfinite(change)) { return; }
-        const DVec2 arm = before + toDouble(state.deltaPosition) - spin.after.center;
-        state.velocity += toReal(change * DVec2{-arm.y, arm.x});
-        const Real speed = length(state.velocity);
-        if (speed > world.settings.maxSpeed) { state.velocity = (world.settings.maxSpeed / speed) * state.velocity; }
-        state.angularVelocity += static_cast<Real>(change);
-    });
+    AdriftChains adrift(world, group);
+    adrift.addUpMotions();
+    if (!adrift.findWholes()) { return; }
+    adrift.addUpSpins();
+    adrift.turnBack();
 }
 
 }  // namespace swept::inline SWEPT_PRECISION
