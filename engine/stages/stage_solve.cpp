@@ -71,6 +71,55 @@ SWEPT_FORCE_INLINE void fetchFree(const WorldState& world, std::uint32_t slot) {
     fetchToWrite(world.motions[slot]);
 }
 
+/// Classes in the order in which the first of their bodies woke up; under a budget those with few sub-steps first,
+/// since what misses it comes again with more.
+void listClasses(WorldState& world, bool areAllSolved, bool budgeted) {
+    std::vector<Effort>& efforts = world.efforts;
+    efforts.clear();
+    for (std::size_t i = 0; i < world.tied.size(); ++i) {
+        const Effort& effort = world.tiedEfforts[i];
+        if (!efforts.empty() && effort == efforts.back()) { continue; }  // as mostly: no body is asked
+        if (!areAllSolved && world.bodies[world.tied[i]].role != BodyRole::solved) { continue; }
+        if (std::find(efforts.begin(), efforts.end(), effort) == efforts.end()) { efforts.push_back(effort); }
+    }
+    if (budgeted) {
+        sortFew(efforts, [](Effort a, Effort b) { return a.doublings < b.doublings; });
+    }
+}
+
+/// @param isAlone  all that is tied is of the class: then small traits tell, and no body is asked
+void listJointsOfClass(WorldState& world, Effort effort, bool isAlone) {
+    const auto isOfClass = [&world, effort, isAlone](std::uint32_t slot) {
+        if (isAlone) { return (world.traits[slot] & kIsTied) != 0; }
+        return world.bodies[slot].role == BodyRole::solved && world.bodies[slot].effort == effort;
+    };
+    const auto isJointOfClass = [&world, &isOfClass](std::uint32_t joint) {
+        const JointTie& tie = world.jointTies[joint];
+        if (isOfClass(tie.bodyA) || isOfClass(tie.bodyB)) { return true; }
+        if (tie.isPair) { return false; }
+        const std::span<const std::uint32_t> bodies = world.joints[joint].allBodies();
+        return anyOf(bodies, isOfClass);
+    };
+    world.tiedJoints.clear();
+    forEachMeant(*world.loops, world.activeJoints, kJointGrain, world.answers, isJointOfClass,
+                 [&world](std::uint32_t joint) { world.tiedJoints.push_back(joint); });
+}
+
+/// @pre its joints are listed @return whether it was solved as it should be
+bool solveClass(WorldState& world, Effort effort, double dt) {
+    SolveDesk& desk = world.mainDesk;
+    const bool isSolved =
+        solveGroup(world,
+                   {.desk = desk,
+                    .effort = effort,
+                    .bodies = world.kinematicBodies > 0 ? std::span<const std::uint32_t>(world.awake) : world.tied,
+                    .contacts = world.contacts,
+                    .joints = world.tiedJoints},
+                   {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});
+    clearDesk(world, desk);
+    return isSolved;
+}
+
 }  // namespace
 
 void moveFreeBodies(WorldState& world, double dt) {
@@ -93,52 +142,21 @@ void moveFreeBodies(WorldState& world, double dt) {
 void solveTiedBodies(WorldState& world, double dt) {
     world.anyFlung = false;
     if (world.counters.solvedBodies == 0) { return; }
-    // Class after class, in the order in which the first of their bodies woke up.
-    std::vector<Effort>& efforts = world.efforts;
-    efforts.clear();
     const bool areAllSolved = !world.fastIslands.any;
-    for (std::size_t i = 0; i < world.tied.size(); ++i) {
-        const Effort& effort = world.tiedEfforts[i];
-        if (!efforts.empty() && effort == efforts.back()) { continue; }  // as mostly: no body is asked
-        if (!areAllSolved && world.bodies[world.tied[i]].role != BodyRole::solved) { continue; }
-        if (std::find(efforts.begin(), efforts.end(), effort) == efforts.end()) { efforts.push_back(effort); }
-    }
-    SolveDesk& desk = world.mainDesk;
-    desk.loops = world.loops;
     const bool budgeted = hasErrorBudget(world.settings);
-    if (budgeted) {
-        sortFew(efforts, [](Effort a, Effort b) { return a.doublings < b.doublings; });
-    }
+    listClasses(world, areAllSolved, budgeted);
+    std::vector<Effort>& efforts = world.efforts;
+    world.mainDesk.loops = world.loops;
     std::uint8_t retries = 0;
-    for (std::size_t place = 0; place < efforts.size(); ++place) {  // grows as it goes
+    // What is taken back, as it was searched in vain or missed its budget, comes again: its islands are of a class
+    // later in the list, with more work.
+    for (std::size_t place = 0; place < efforts.size(); ++place) {
         const Effort effort = efforts[place];
         const bool isTried = budgeted && !effort.isSettled;
-        const bool areAlike = areAllSolved && efforts.size() == 1;  // then small traits tell, and no body is asked
-        const auto isOfClass = [&](std::uint32_t slot) {
-            if (areAlike) { return (world.traits[slot] & kIsTied) != 0; }
-            return world.bodies[slot].role == BodyRole::solved && world.bodies[slot].effort == effort;
-        };
-        world.tiedJoints.clear();
-        const auto isJointOfClass = [&](std::uint32_t joint) {
-            const JointTie& tie = world.jointTies[joint];
-            if (isOfClass(tie.bodyA) || isOfClass(tie.bodyB)) { return true; }
-            if (tie.isPair) { return false; }
-            const std::span<const std::uint32_t> bodies = world.joints[joint].allBodies();
-            return anyOf(bodies, isOfClass);
-        };
-        forEachMeant(*world.loops, world.activeJoints, kJointGrain, world.answers, isJointOfClass,
-                     [&world](std::uint32_t joint) { world.tiedJoints.push_back(joint); });
         const bool isSearch = effort.direct == DirectScope::all && !effort.isSettled;
+        listJointsOfClass(world, effort, areAllSolved && efforts.size() == 1);
         if (isTried || isSearch) { rememberClass(world, effort); }
-        const bool isSolved =
-            solveGroup(world,
-                       {.desk = desk,
-                        .effort = effort,
-                        .bodies = world.kinematicBodies > 0 ? std::span<const std::uint32_t>(world.awake) : world.tied,
-                        .contacts = world.contacts,
-                        .joints = world.tiedJoints},
-                       {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});
-        clearDesk(world, desk);
+        const bool isSolved = solveClass(world, effort, dt);
         if (isSearch && !isSolved) {
             takeBackClass(world, place, {.doublings = std::max(effort.doublings, std::int8_t{0}), .retry = ++retries});
         } else if (isTried) {
