@@ -14,9 +14,11 @@ namespace swept::inline SWEPT_PRECISION {
 struct Effort {
     std::int8_t doublings = 0;  ///< of the sub-steps that the settings ask for; negative: halvings
     DirectScope direct = DirectScope::none;
-    bool isCrowd = false;    ///< jostling, not carrying: one pass of relaxation after each solve does
-    bool isInTurns = false;  ///< contacts take turns with joints that are solved all at once
-    bool isLarge = false;    ///< a web of more than `kSmallWebBodies`: searched with more patience
+    bool isCrowd = false;  ///< jostling, not carrying: one pass of relaxation after each solve does
+    /// Part of the key of a class only: the solver takes turns wherever a class of scope `joints` has contacts, so
+    /// islands without any must be in another class.
+    bool isInTurns = false;
+    bool isLarge = false;  ///< a web of more than `kSmallWebBodies`: searched with more patience
     /// Which of those that were searched in vain in this step, from 1 on: a class of its own, since all others may be
     /// solved by then; 0: none.
     std::uint8_t retry = 0;
