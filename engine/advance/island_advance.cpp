@@ -84,7 +84,7 @@ bool solvePart(Course& course, double time) {
                                       .role = BodyRole::together,
                                       .effort = course.world.bodies[island.members[0]].effort,
                                       .bodies = island.group,
-                                      .contacts = island.held,
+                                      .contacts = island.contacts,
                                       .joints = island.jointSlots},
                                      part);
     addUpTotals(island);
@@ -118,7 +118,7 @@ void remember(Course& course, bool isTried) {
         course.world.bodies[slot].startCenter = motion.center;
         course.world.bodies[slot].startAngle = motion.angle;
     }
-    if (isTried) { rememberHeld(island, isFirstPart(course)); }
+    if (isTried) { rememberIslandContacts(island, isFirstPart(course)); }
     course.subStepBefore = course.island.subStep;
     island.jointsBefore.clear();
     for (const std::uint32_t slot : island.jointSlots) { island.jointsBefore.push_back(course.world.joints[slot]); }
@@ -135,7 +135,7 @@ void takeBack(Course& course) {
         course.world.joints[island.jointSlots[i]] = island.jointsBefore[i];
     }
     if (course.lent != nullptr) { *course.lent = island.lentBefore; }
-    takeBackHeld(course.world, island, isFirstPart(course));
+    takeBackIslandContacts(course.world, island, isFirstPart(course));
     island.subStep = course.subStepBefore;
     auto& events = course.desk.events;
     events.erase(events.begin() + static_cast<std::ptrdiff_t>(course.eventsBefore), events.end());
@@ -179,7 +179,7 @@ void hold(WorldState& world, std::uint32_t slot, const StepPart& part, FlightScr
 
 /// What contacts and sweeps know of what members cross goes for both.
 void shareCrossings(AdvancingIsland& island, FlightScratch& scratch) {
-    for (const Contact& contact : island.held) {
+    for (const Contact& contact : island.contacts) {
         const ChainPasser passer{.segment = contact.shapeA, .shape = contact.shapeB};
         const auto isSame = [&](const ChainPasser& other) { return other == passer; };
         if (!contact.passes || std::any_of(scratch.crossings.begin(), scratch.crossings.end(), isSame)) { continue; }
@@ -199,7 +199,7 @@ void holdMembers(Course& course, double time, bool isLast) {
 
 /// The ground of contacts and joints.
 void meetWhatIsKnown(Course& course) {
-    for (const Contact& contact : course.island.held) {
+    for (const Contact& contact : course.island.contacts) {
         course.ground.meet(contact.bodyA);
         course.ground.meet(contact.bodyB);
     }
@@ -235,7 +235,7 @@ void finish(Course& course) {
         body.startAngle = island.membersAtStart[i].motion.angle;
     }
     setSubStep(course.world, island, island.usualSubStep);
-    storeHeld(course.world, course.desk);
+    storeIslandContacts(course.world, course.desk);
 }
 
 /// Visits of members that all tries of an island may make.
@@ -259,7 +259,7 @@ double tryPart(Course& course, double time, bool fits, double& next) {
     if (course.elapsed > 0 || time < course.dt) {
         course.island.crossing = course.scratch.crossings;
         std::sort(course.island.crossing.begin(), course.island.crossing.end());
-        collideHeld(course.world, course.desk, time, course.scratch.ground);
+        collideIslandContacts(course.world, course.desk, time, course.scratch.ground);
         shareCrossings(course.island, course.scratch);
     }
     course.scratch.meetsBacks = !course.scratch.crossings.empty();
@@ -291,7 +291,7 @@ double tryPart(Course& course, double time, bool fits, double& next) {
 }
 
 bool isOnChain(const AdvancingIsland& island) {
-    return std::any_of(island.held.begin(), island.held.end(),
+    return std::any_of(island.contacts.begin(), island.contacts.end(),
                        [](const Contact& contact) { return contact.ofChain && contact.pressed; });
 }
 

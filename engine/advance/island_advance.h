@@ -18,7 +18,7 @@ std::size_t mostTogether(const WorldSettings& settings);
 /// impact on its own, and what it loses enters the ledger. A body on its own flies (flight.h) when it would meet
 /// something.
 /// Islands may advance at the same time, each at a desk of its own, while no kinematic body is awake.
-/// @pre members, joints and held contacts of the island are in `IslandDesk::island`; and `listMovingGround`
+/// @pre members, joints and contacts of the island are in `IslandDesk::island`; and `listMovingGround`
 /// @param met  fraction of the step at which it meets something when all of that is one part, as was tried already; 1:
 /// it was not
 void advanceIsland(WorldState& world, IslandDesk& desk, double dt, FlightScratch& scratch, double met = 1);

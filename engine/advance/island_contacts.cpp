@@ -21,11 +21,11 @@ namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 void listHeldPairs(AdvancingIsland& island) {
-    island.heldPairs.clear();
-    for (const Contact& contact : island.held) {
-        island.heldPairs.push_back(PairTable::keyOf(contact.shapeA, contact.shapeB));
+    island.pairs.clear();
+    for (const Contact& contact : island.contacts) {
+        island.pairs.push_back(PairTable::keyOf(contact.shapeA, contact.shapeB));
     }
-    std::sort(island.heldPairs.begin(), island.heldPairs.end());
+    std::sort(island.pairs.begin(), island.pairs.end());
 }
 
 Real reachWithin(const WorldState& world, const Shape& shape, Real time) {
@@ -47,11 +47,11 @@ void findGround(WorldState& world, AdvancingIsland& island, const Shape& own, st
         const Shape& other = world.shapes[found];
         if (world.bodies[other.body].isDynamic() || other.def.sensor || !mayTouch(world, own, other)) { continue; }
         const std::uint64_t key = PairTable::keyOf(slot, found);
-        const auto place = std::lower_bound(island.heldPairs.begin(), island.heldPairs.end(), key);
-        if (place != island.heldPairs.end() && *place == key) { continue; }
+        const auto place = std::lower_bound(island.pairs.begin(), island.pairs.end(), key);
+        if (place != island.pairs.end() && *place == key) { continue; }
         if (ground != nullptr) { ground->meet(other.body); }
-        island.heldPairs.insert(place, key);
-        island.held.push_back(contactOf(world, slot, found));
+        island.pairs.insert(place, key);
+        island.contacts.push_back(contactOf(world, slot, found));
         island.sources.push_back(kNoIndex);
     }
 }
@@ -81,18 +81,17 @@ void findMembersMet(WorldState& world, AdvancingIsland& island) {
         const Shape& other = world.shapes[met];
         if (shape.body == other.body || !mayTouch(world, shape, other)) { return; }
         const std::uint64_t key = PairTable::keyOf(own, met);
-        if (!std::binary_search(island.heldPairs.begin(), island.heldPairs.end(), key)) {
-            island.metPairs.push_back(key);
-        }
+        if (!std::binary_search(island.pairs.begin(), island.pairs.end(), key)) { island.metPairs.push_back(key); }
     });
     std::sort(island.metPairs.begin(), island.metPairs.end());
     for (const std::uint64_t key : island.metPairs) {
-        island.held.push_back(contactOf(world, static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)));
+        island.contacts.push_back(
+            contactOf(world, static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)));
         island.sources.push_back(kNoIndex);
     }
 }
 
-/// Normal impulse that a point of a held contact had at the start of the step, N·s in a sub-step of the usual length.
+/// Normal impulse that a point of a contact had at the start of the step, N·s in a sub-step of the usual length.
 Real carriedAtStart(const WorldState& world, const AdvancingIsland& island, std::size_t index, FeatureId id) {
     const std::uint32_t source = island.sources[index];
     if (source == kNoIndex) { return 0; }
@@ -105,9 +104,9 @@ Real carriedAtStart(const WorldState& world, const AdvancingIsland& island, std:
 
 /// The impulse of what gets out of reach in the parts to come is told by these.
 void rememberPoints(AdvancingIsland& island) {
-    island.pointsBefore.resize(island.held.size());
-    for (std::size_t i = 0; i < island.held.size(); ++i) {
-        if (island.held[i].manifold.count > 0) { island.pointsBefore[i] = island.held[i].manifold; }
+    island.pointsBefore.resize(island.contacts.size());
+    for (std::size_t i = 0; i < island.contacts.size(); ++i) {
+        if (island.contacts[i].manifold.count > 0) { island.pointsBefore[i] = island.contacts[i].manifold; }
     }
 }
 
@@ -125,7 +124,7 @@ void tellImpulse(Contact& contact, const Manifold& pointsBefore) {
 
 }  // namespace
 
-void collideHeld(WorldState& world, IslandDesk& desk, double time, GroundOnTheWay* ground) {
+void collideIslandContacts(WorldState& world, IslandDesk& desk, double time, GroundOnTheWay* ground) {
     AdvancingIsland& island = desk.island;
     const auto length = static_cast<Real>(time);
     listHeldPairs(island);
@@ -137,24 +136,24 @@ void collideHeld(WorldState& world, IslandDesk& desk, double time, GroundOnTheWa
     }
     if (hasJointedBullet(world, island.members)) { findMembersMet(world, island); }
     rememberPoints(island);
-    island.heldSlides.resize(island.held.size());
+    island.slides.resize(island.contacts.size());
     ContactBatches batches(world, [](ContactProbe*, const Contact&, const Transform&) {});
-    for (std::size_t i = 0; i < island.held.size(); ++i) {
-        Contact& contact = island.held[i];
+    for (std::size_t i = 0; i < island.contacts.size(); ++i) {
+        Contact& contact = island.contacts[i];
         const Transform bInA = relativePoseOf(world, contact);
         const Real reach = reachWithin(world, world.shapes[contact.shapeA], length) +
                            reachWithin(world, world.shapes[contact.shapeB], length);
-        noteSlide(island.heldSlides[i], contact, bInA);
+        noteSlide(island.slides[i], contact, bInA);
         batches.add(nullptr, contact, bInA, {reach, reach});
     }
     batches.finish();
-    std::vector<std::uint32_t>& all = island.heldIndices;
-    while (all.size() < island.held.size()) { all.push_back(static_cast<std::uint32_t>(all.size())); }
-    const std::span<const std::uint32_t> renewed = std::span(all).first(island.held.size());
-    letThrough(world, island.held, renewed, Moment::partBegins, island.crossing, island.chainContacts);
-    dropGhosts(world, island.held, island.heldSlides, renewed, island.members, island.nextGroundContact,
+    std::vector<std::uint32_t>& all = island.indices;
+    while (all.size() < island.contacts.size()) { all.push_back(static_cast<std::uint32_t>(all.size())); }
+    const std::span<const std::uint32_t> renewed = std::span(all).first(island.contacts.size());
+    letThrough(world, island.contacts, renewed, Moment::partBegins, island.crossing, island.chainContacts);
+    dropGhosts(world, island.contacts, island.slides, renewed, island.members, island.nextGroundContact,
                world.serialTasks);
-    desk.counters.manifolds += island.held.size();
+    desk.counters.manifolds += island.contacts.size();
 }
 
 void setSubStep(const WorldState& world, AdvancingIsland& island, double seconds) {
@@ -162,8 +161,8 @@ void setSubStep(const WorldState& world, AdvancingIsland& island, double seconds
     const auto share = static_cast<Real>(seconds / island.usualSubStep);
     island.subStep = seconds;
     if (factor == 1) { return; }
-    for (std::size_t i = 0; i < island.held.size(); ++i) {
-        Contact& contact = island.held[i];
+    for (std::size_t i = 0; i < island.contacts.size(); ++i) {
+        Contact& contact = island.contacts[i];
         for (std::size_t k = 0; k < static_cast<std::size_t>(contact.manifold.count); ++k) {
             const Real before = contact.normalImpulse[k];
             if (!(before > 0)) { continue; }
@@ -181,38 +180,38 @@ void setSubStep(const WorldState& world, AdvancingIsland& island, double seconds
 
 void putTotalsAside(AdvancingIsland& island) {
     island.totals.clear();
-    for (Contact& contact : island.held) {
+    for (Contact& contact : island.contacts) {
         island.totals.push_back(contact.totalImpulse);
         contact.totalImpulse = {};
     }
 }
 
 void addUpTotals(AdvancingIsland& island) {
-    for (std::size_t i = 0; i < island.held.size(); ++i) {
-        for (std::size_t k = 0; k < 2; ++k) { island.held[i].totalImpulse[k] += island.totals[i][k]; }
+    for (std::size_t i = 0; i < island.contacts.size(); ++i) {
+        for (std::size_t k = 0; k < 2; ++k) { island.contacts[i].totalImpulse[k] += island.totals[i][k]; }
     }
 }
 
-void rememberHeld(AdvancingIsland& island, bool isFirstPart) {
-    if (!isFirstPart) { island.heldBefore = island.held; }
+void rememberIslandContacts(AdvancingIsland& island, bool isFirstPart) {
+    if (!isFirstPart) { island.contactsBefore = island.contacts; }
 }
 
-void takeBackHeld(const WorldState& world, AdvancingIsland& island, bool isFirstPart) {
+void takeBackIslandContacts(const WorldState& world, AdvancingIsland& island, bool isFirstPart) {
     if (!isFirstPart) {
-        island.held = island.heldBefore;
-        island.sources.resize(island.held.size());
+        island.contacts = island.contactsBefore;
+        island.sources.resize(island.contacts.size());
         return;
     }
     island.sources.resize(island.sourceProbes.size());
-    island.held.clear();
-    for (const std::uint32_t source : island.sources) { island.held.push_back(world.contacts[source]); }
+    island.contacts.clear();
+    for (const std::uint32_t source : island.sources) { island.contacts.push_back(world.contacts[source]); }
 }
 
-void storeHeld(WorldState& world, IslandDesk& desk) {
+void storeIslandContacts(WorldState& world, IslandDesk& desk) {
     AdvancingIsland& island = desk.island;
     const Manifold none;
-    for (std::size_t i = 0; i < island.held.size(); ++i) {
-        Contact& contact = island.held[i];
+    for (std::size_t i = 0; i < island.contacts.size(); ++i) {
+        Contact& contact = island.contacts[i];
         const bool isTold = hasPressed(contact);
         if (isTold) { tellImpulse(contact, i < island.pointsBefore.size() ? island.pointsBefore[i] : none); }
         if (island.sources[i] == kNoIndex) {

@@ -6,7 +6,7 @@ namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 bool hasMetGround(const AdvancingIsland& island) {
-    return std::any_of(island.held.begin(), island.held.end(),
+    return std::any_of(island.contacts.begin(), island.contacts.end(),
                        [](const Contact& contact) { return contact.manifold.count > 0; });
 }
 

@@ -23,7 +23,7 @@ double endAtGround(const Flight& flight, Sweep& path) {
 }  // namespace
 
 bool mayLeave(const BulletPartner& partner) {
-    return partner.isBullet && partner.tied && !partner.held && partner.flight.body().holdingJoints == 0;
+    return partner.isBullet && partner.tied && !partner.stopped && partner.flight.body().holdingJoints == 0;
 }
 
 Sweep pathAfter(const BulletPartner& partner, double time) {

@@ -105,7 +105,7 @@ void ride(BulletPartner& rider, const BulletPartner& carrier, double time) {
     rider.path = pathWith(rider, carrier, time);
     rider.pathFrom = time;
     rider.flies = false;
-    rider.tied = rider.held = true;
+    rider.tied = rider.stopped = true;
 }
 
 /// Counts one impact more. @return whether it was one too many
@@ -126,7 +126,7 @@ void stop(BulletPartner& partner, double time, LostTimeReason reason) {
                     .a1 = end.angle};
     partner.pathFrom = time;
     partner.flies = false;
-    partner.tied = partner.held = true;
+    partner.tied = partner.stopped = true;
 }
 
 /// What a member of this moment met that does not get out of the way in this step; null: nothing.

@@ -222,7 +222,7 @@ void gather(WorldState& world, AdvancingIsland& fast, std::size_t island) {
     fast.members.assign(bodies.begin(), bodies.end());
     const std::span<const std::uint32_t> joints = islands.joints.of(island);
     fast.jointSlots.assign(joints.begin(), joints.end());
-    fast.held.clear();
+    fast.contacts.clear();
     fast.sources.clear();
     fast.sourceProbes.clear();
     fast.pointsBefore.clear();
@@ -231,7 +231,7 @@ void gather(WorldState& world, AdvancingIsland& fast, std::size_t island) {
         const std::uint32_t source = world.probes[index].contact;
         const Contact& contact = world.contacts[source];
         if (!isInside(world, contact) && !(mayMembersMeet && mayMeet(world, contact))) { continue; }
-        fast.held.push_back(world.contacts[source]);
+        fast.contacts.push_back(world.contacts[source]);
         fast.sources.push_back(source);
         fast.sourceProbes.push_back(index);
     }
@@ -268,7 +268,9 @@ void takeBack(WorldState& world, IslandDesk& desk, const Traces& before, FlightS
         restore(world, fast.members[i], fast.membersAtStart[i]);
         world.bodies[fast.members[i]].sunk = fast.membersAtStart[i].sunk;  // it may come another way
     }
-    for (std::size_t i = 0; i < trial.held.size(); ++i) { world.contacts[fast.sources[i]] = trial.held[i]; }
+    for (std::size_t i = 0; i < trial.fastContacts.size(); ++i) {
+        world.contacts[fast.sources[i]] = trial.fastContacts[i];
+    }
     for (std::size_t i = 0; i < fast.jointSlots.size(); ++i) { world.joints[fast.jointSlots[i]] = trial.joints[i]; }
     if (LentEnergy* const lent = lentOf(world, fast.jointSlots)) { *lent = fast.lentAtStart; }
     cutTo(desk.events, before.events);
@@ -284,7 +286,7 @@ void advanceWithinBudget(WorldState& world, IslandDesk& desk, std::size_t island
     AdvancingIsland& fast = desk.island;
     world.trial.joints.clear();
     for (const std::uint32_t slot : fast.jointSlots) { world.trial.joints.push_back(world.joints[slot]); }
-    world.trial.held = fast.held;
+    world.trial.fastContacts = fast.contacts;
     const Traces before = tracesOf(desk, scratch);
     advanceIsland(world, desk, dt, scratch);
     while (raiseMissedJoints(world, fast.members, fast.jointSlots, dt)) {

@@ -20,26 +20,26 @@ struct AdvancingIsland {
     std::vector<std::uint32_t> members;  ///< dynamic, slots
     std::vector<std::uint32_t> group;    ///< members, then kinematic bodies that it came near
     std::vector<std::uint32_t> jointSlots;
-    std::vector<Contact> held;               ///< contacts of the island, and those with ground that it finds on its way
-    std::vector<Slide> heldSlides;           ///< of these
-    std::vector<std::uint32_t> heldIndices;  ///< as many of the natural numbers as were needed so far
-    std::vector<Manifold> pointsBefore;      ///< by held contact: the last points that it had before this part, if any
-    std::vector<std::uint32_t> sources;      ///< by held contact: its place in the world, or none
+    std::vector<Contact> contacts;            ///< of the island, and those with ground that it finds on its way
+    std::vector<Slide> slides;                ///< of these
+    std::vector<std::uint32_t> indices;       ///< as many of the natural numbers as were needed so far
+    std::vector<Manifold> pointsBefore;       ///< by contact: the last points that it had before this part, if any
+    std::vector<std::uint32_t> sources;       ///< by contact: its place in the world, or none
     std::vector<std::uint32_t> sourceProbes;  ///< of those that have one, which come first: index of the probe
-    std::vector<std::uint64_t> heldPairs;     ///< of shape slots, sorted
+    std::vector<std::uint64_t> pairs;         ///< of shape slots, sorted
     std::vector<std::uint32_t> found;
     std::vector<BoxedItem> boxed;             ///< shapes of members, by slot: scratch, as is the next one
     std::vector<std::uint64_t> metPairs;      ///< of shape slots
     double usualSubStep = 0;                  ///< of the world, s
-    double subStep = 0;                       ///< that the impulses of the held contacts belong to, s
+    double subStep = 0;                       ///< that the impulses of the contacts belong to, s
     std::vector<BodyOutcome> membersAtStart;  ///< of the step
     std::vector<BodyOutcome> membersBefore;   ///< before the part that is being tried
-    std::vector<Contact> heldBefore;          ///< likewise, but for the first part
-    std::vector<std::array<Real, 2>> totals;  ///< by held contact: impulses of the parts before
+    std::vector<Contact> contactsBefore;      ///< likewise, but for the first part
+    std::vector<std::array<Real, 2>> totals;  ///< by contact: impulses of the parts before
     std::vector<Joint> jointsBefore;
     LentEnergy lentAtStart;                        ///< of the step
     LentEnergy lentBefore;                         ///< before the part
-    std::vector<std::uint32_t> nextGroundContact;  ///< by held contact: see dropGhosts
+    std::vector<std::uint32_t> nextGroundContact;  ///< by contact: see dropGhosts
     std::vector<ChainPasser> crossing;             ///< what its members are in at the start of the part, in order
     std::vector<std::uint64_t> chainContacts;      ///< scratch of `letThrough`
 };

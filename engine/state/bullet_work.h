@@ -22,9 +22,9 @@ struct BulletPartner {
     bool flies = false;  ///< else it is on its way by the solver, or rests
     /// To other bodies: it stays on its way, whatever hits it; only its velocity changes. (But see `mayLeave`.)
     bool tied = false;
-    bool moved = false;  ///< here: what the solver made of its pose is out of date
-    bool held = false;   ///< here: it rides on another one, or stopped
-    bool left = false;   ///< it was tied, and flies instead of going through what is on the way that the solver gave it
+    bool moved = false;    ///< here: what the solver made of its pose is out of date
+    bool stopped = false;  ///< here, or it rides on another one
+    bool left = false;  ///< it was tied, and flies instead of going through what is on the way that the solver gave it
 
     std::uint32_t changes = 0;              ///< of its path so far
     std::uint32_t firstCarrier = kNoIndex;  ///< place in `BulletWork::carriers`, of those to bodies of higher slots

@@ -25,7 +25,8 @@ struct EffortTrial {
     std::vector<Joint> joints;  ///< in the order of `WorldState::tiedJoints`
     std::vector<ChainLoan> loans;
     std::size_t events = 0;
-    std::vector<Contact> held;  ///< of an island with something fast, in the order of `AdvancingIsland::held`
+    /// Of an island with something fast, in the order of `AdvancingIsland::contacts`.
+    std::vector<Contact> fastContacts;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION
