@@ -51,6 +51,9 @@ struct Course {
     GroundOnTheWay ground{world, scratch};
     double elapsed = 0;
     double shortest = 0;
+    double next = 0;           ///< seconds of the next part, if it turns no faster, and the step is not over before
+    int made = 0;              ///< tries so far
+    bool fits = false;         ///< the next part ends where the one before, taken back, met something
     double subStepBefore = 0;  ///< the part that is being tried
     std::size_t eventsBefore = 0;
     LentEnergy* lent = lentOf(world, island.jointSlots);
@@ -250,8 +253,8 @@ double accept(Course& course, double time) {
     return time;
 }
 
-/// Tries one part. @return seconds that the island got on, or 0: taken back, to be tried with `next`
-double tryPart(Course& course, double time, bool fits, double& next) {
+/// Tries one part. @return seconds that the island got on, or 0: taken back, to be tried with `Course::next`
+double tryPart(Course& course, double time) {
     const bool isLast = time < 2 * course.shortest;  // try: it stays as it is
     remember(course, !isLast || isSearched(course));
     course.ground.goTo(course.elapsed);
@@ -266,9 +269,9 @@ double tryPart(Course& course, double time, bool fits, double& next) {
     if (!solvePart(course, time)) {
         takeBack(course);
         iterateTheRest(course);
-        return tryPart(course, time, fits, next);
+        return tryPart(course, time);
     }
-    next = growthOf(course.world.settings) * std::max(time, course.shortest);
+    course.next = growthOf(course.world.settings) * std::max(time, course.shortest);
     if (isLast) {
         holdMembers(course, time, true);
         return accept(course, time);
@@ -280,13 +283,13 @@ double tryPart(Course& course, double time, bool fits, double& next) {
         return accept(course, time);
     }
     ++course.scratch.counters.impacts;
-    if (fits && fraction >= kGoodFit && fraction * time >= course.shortest) {
+    if (course.fits && fraction >= kGoodFit && fraction * time >= course.shortest) {
         cutPart(course, time, fraction);
         holdMembers(course, fraction * time, false);
         return accept(course, fraction * time);
     }
     takeBack(course);
-    next = std::max(fraction * time, course.shortest);
+    course.next = std::max(fraction * time, course.shortest);
     return 0;
 }
 
@@ -309,6 +312,12 @@ bool fliesInstead(const Course& course) {
     if (course.elapsed > 0 || island.members.size() != 1 || !island.jointSlots.empty()) { return false; }
     const Body& body = course.world.bodies[island.members[0]];
     return !body.deepContact && !body.touchesDynamic && body.holdingJoints == 0;
+}
+
+void flyInstead(Course& course) {
+    finish(course);
+    course.scratch.crossings.clear();
+    fly(course.world, course.island.members[0], course.dt, course.scratch);
 }
 
 }  // namespace
@@ -358,35 +367,26 @@ void advanceIsland(WorldState& world, IslandDesk& desk, double dt, FlightScratch
     Course course{world, desk, desk.island, scratch, dt};
     begin(course);
     const bool wasTried = met < 1;
-    if (wasTried && fliesInstead(course)) {
-        finish(course);
-        scratch.crossings.clear();
-        fly(world, course.island.members[0], dt, scratch);
-        return;
-    }
-    double next = std::max(met * dt, course.shortest);
+    if (wasTried && fliesInstead(course)) { return flyInstead(course); }
+    course.next = std::max(met * dt, course.shortest);
+    course.made = wasTried ? 1 : 0;
+    course.fits = wasTried;
     const std::size_t tries = std::max(memberTries(world.settings) / course.island.members.size(), kFewestTries);
     const int mostTries = std::min(static_cast<int>(std::min(tries, kMaxTries)), world.settings.maxImpacts);
     const auto lastParts = static_cast<double>(std::clamp<std::size_t>(tries, 1, kLastParts));
     const double maxTurn = course.island.jointSlots.empty() ? kMaxLooseTurn : kMaxTurn;
-    int made = wasTried ? 1 : 0;
-    bool fits = wasTried;
     while (course.elapsed < dt) {
         const double rest = dt - course.elapsed;
-        if (made++ == mostTries) { course.shortest = std::max(course.shortest, rest / lastParts); }
+        const bool isOutOfTries = course.made++ == mostTries;
+        if (isOutOfTries) { course.shortest = std::max(course.shortest, rest / lastParts); }
         const double spin = fastestSpin(world, course.island, Spinners::all);
         if (spin * course.shortest > kHopelessTurn) { course.shortest = rest; }
-        double time = std::max(next, course.shortest);
+        double time = std::max(course.next, course.shortest);
         if (spin * time > maxTurn) { time = std::max(longestTurning(course, rest, maxTurn / spin), course.shortest); }
         if (time > rest - 0.5 * course.shortest) { time = rest; }
-        const double gained = tryPart(course, time, fits, next);
-        if (gained <= 0 && fliesInstead(course)) {
-            finish(course);
-            scratch.crossings.clear();
-            fly(world, course.island.members[0], dt, scratch);
-            return;
-        }
-        fits = gained <= 0;
+        const double gained = tryPart(course, time);
+        if (gained <= 0 && fliesInstead(course)) { return flyInstead(course); }
+        course.fits = gained <= 0;
         course.elapsed = gained >= rest ? dt : course.elapsed + gained;
         if (gained > 0 && course.elapsed < dt) { notePoses(course, gained); }
     }
