@@ -6,7 +6,9 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// What a solve did to an island, J.
+/// What a solve did to an island, J. The excess is what it gained beyond what it was given: gained − springs − motors −
+/// returned − work (`excessOf`, energy_gain.h, which says what of that is no error). Unless the island `isFed`, it pays
+/// for it, out of the motion of all its bodies (energy_guard.h).
 struct EnergyAccount {
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 

@@ -29,23 +29,27 @@ struct FilterPart {
     FilterJointDef def;
 };
 
-/// A joint that a call moved, see driven_joints.h.
+/// A joint that calls moved, see driven_joints.h. A move is what one call does; a step takes all moves since the last.
 struct DrivenJoint {
     JointId joint{};
-    int stepsLeft = 0;
+    int stepsLeft = 0;  ///< in which it still draws what it holds after it
+    /// A move was a yank: farther than a slow body goes in a step, and than limits at a pace carry it. Nobody is pulled
+    /// like that, but put elsewhere: the gap is closed at no cost, and that is no work of the joint.
     bool isYank = false;
-    Real toGo = 0;        ///< since the last step, metres
-    Real jump = 0;        ///< the farthest of these moves, metres
-    Real speed = 0;       ///< the highest one of those steps, m/s
+
+    // How far, as a length, whatever it is that was moved.
+    Real toGo = 0;        ///< all moves since the last step, metres
+    Real jump = 0;        ///< the farthest one of these, metres
+    Real speed = 0;       ///< the fastest that a step so far had to go what there was to go, m/s
     Real springToGo = 0;  ///< as `toGo`, of the target of its spring
-    Real springJump = 0;  ///< likewise
-    /// Of its lower limit and its upper one, or of its length and nothing: since the last step, metres or radians; and
-    /// their speed in the step before, m/s or rad/s.
-    std::array<Real, 2> way{};
-    std::array<Real, 2> speedBefore{};
-    Real lever = 1;        ///< metres by unit of these
-    LimitMotion motion{};  ///< in this step
-    Real paceSpeed = 0;    ///< of the faster pace, m/s
+    Real springJump = 0;  ///< as `jump`, likewise
+
+    // What of that are its limits, which way: the lower one and the upper one, or its length and nothing.
+    std::array<Real, 2> way{};          ///< since the last step, metres or radians
+    std::array<Real, 2> speedBefore{};  ///< what that came to in the step before (from its start on: in this one), by s
+    Real lever = 1;                     ///< metres by unit of these
+    LimitMotion motion{};               ///< in this step: how they glide, and the pace that both steps have in common
+    Real paceSpeed = 0;                 ///< of the faster limit at that pace, m/s; 0: it goes at none
 };
 
 /// Impulses with which a hinge begins the next step: those of the last sub-step, N·s and N·m·s.
