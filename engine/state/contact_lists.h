@@ -11,11 +11,18 @@ namespace swept::inline SWEPT_PRECISION {
 /// The contacts that a step has something to do for, as found in one pass over their probes: all others, most of them,
 /// are not asked again. Each list is ascending, however many threads found it.
 struct ContactLists {
-    RawVector<std::uint32_t> noted;      ///< probes: near, passing, asleep with points, or boxes apart
-    RawVector<std::uint32_t> near;       ///< of these, probes whose contacts get manifolds
-    RawVector<std::uint32_t> ground;     ///< contacts of these, in the same order, that are not `isPlain`
-    std::vector<std::uint32_t> passing;  ///< of these, probes of pairs that pass each other (told by `collideContacts`)
-    RawVector<std::uint32_t> apart;      ///< of these, probes whose boxes are apart
+    /// Filled by `listContacts`: indices of probes that are near, passing, asleep with points, or whose boxes are
+    /// apart. `listTouching` goes through them.
+    RawVector<std::uint32_t> noted;
+    /// By `listContacts`: those of `noted` that are near. Their contacts get new manifolds.
+    RawVector<std::uint32_t> near;
+    /// By `listContacts`: indices of the contacts (not probes) of those of `near` that are not `isPlain`, in their
+    /// order. Chains let them through (chain_passage.h), and ghosts are dropped among them (ghosts.h).
+    RawVector<std::uint32_t> ground;
+    /// By `noticeContacts`: those of `noted` that `collideContacts` found to pass each other. For hemmed_pairs.h.
+    std::vector<std::uint32_t> passing;
+    /// By `listContacts`: those of `noted` whose boxes are apart. Their contacts end.
+    RawVector<std::uint32_t> apart;
 
     /// Of a block of probes: how many are in each list.
     struct Counts {
@@ -26,9 +33,10 @@ struct ContactLists {
     };
     std::vector<Counts> counts;  ///< scratch, by block
 
-    /// Of the noted ones, one whose probe does not tell all.
+    /// Of the noted ones, one whose probe does not tell all, so that its contact has to be asked. By `listTouching`,
+    /// for `noticeContacts`.
     struct Other {
-        std::uint32_t probe = 0;
+        std::uint32_t probe = 0;  ///< index
         std::uint32_t place = 0;  ///< in `WorldState::touching`, that waits for it while these are listed by block
     };
     RawVector<Other> others;
