@@ -89,7 +89,7 @@ void judge(WorldState& world, std::size_t island, double dt, FlightScratch& scra
     FastIslands& fast = world.fastIslands;
     const std::span<const std::uint32_t> members = fast.bodies.of(island);
     const StepPart part{.length = dt, .dt = dt};
-    scratch.meetsBacks = false;
+    scratch.chains.meetsBacks = false;
     fast.meets[island] = firstImpactOf(world, members, part, scratch);
     const bool meets = fast.meets[island] < 1;
     scratch.counters.impacts += meets ? 1 : 0;

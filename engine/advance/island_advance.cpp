@@ -185,8 +185,10 @@ void shareCrossings(AdvancingIsland& island, FlightScratch& scratch) {
     for (const Contact& contact : island.contacts) {
         const ChainPasser passer{.segment = contact.shapeA, .shape = contact.shapeB};
         const auto isSame = [&](const ChainPasser& other) { return other == passer; };
-        if (!contact.passes || std::any_of(scratch.crossings.begin(), scratch.crossings.end(), isSame)) { continue; }
-        scratch.crossings.push_back(passer);
+        if (!contact.passes || std::any_of(scratch.chains.crossings.begin(), scratch.chains.crossings.end(), isSame)) {
+            continue;
+        }
+        scratch.chains.crossings.push_back(passer);
     }
 }
 
@@ -260,12 +262,12 @@ double tryPart(Course& course, double time) {
     course.ground.goTo(course.elapsed);
     // The whole step begins with the contacts that it has found already.
     if (course.elapsed > 0 || time < course.dt) {
-        course.island.crossing = course.scratch.crossings;
+        course.island.crossing = course.scratch.chains.crossings;
         std::sort(course.island.crossing.begin(), course.island.crossing.end());
         collideIslandContacts(course.world, course.desk, time, course.scratch.ground);
         shareCrossings(course.island, course.scratch);
     }
-    course.scratch.meetsBacks = !course.scratch.crossings.empty();
+    course.scratch.chains.meetsBacks = !course.scratch.chains.crossings.empty();
     if (!solvePart(course, time)) {
         takeBack(course);
         iterateTheRest(course);
@@ -316,7 +318,7 @@ bool fliesInstead(const Course& course) {
 
 void flyInstead(Course& course) {
     finish(course);
-    course.scratch.crossings.clear();
+    course.scratch.chains.crossings.clear();
     fly(course.world, course.island.members[0], course.dt, course.scratch);
 }
 
@@ -349,9 +351,9 @@ void holdSunk(WorldState& world, std::span<const std::uint32_t> members, const S
 
 void noteCrossingsOf(const WorldState& world, std::span<const std::uint32_t> members, const StepPart& part,
                      FlightScratch& scratch) {
-    if (!scratch.meetsBacks) { return; }
+    if (!scratch.chains.meetsBacks) { return; }
     const auto crosses = [&](std::uint32_t slot) {
-        return std::any_of(scratch.crossings.begin(), scratch.crossings.end(),
+        return std::any_of(scratch.chains.crossings.begin(), scratch.chains.crossings.end(),
                            [&](const ChainPasser& passer) { return world.shapes[passer.shape].body == slot; });
     };
     for (const std::uint32_t slot : members) {

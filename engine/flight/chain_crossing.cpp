@@ -69,8 +69,8 @@ bool isListed(const std::vector<ChainPasser>& all, ChainPasser asked) {
 /// Calls `visit(passer)` for what shapes were in as the sweep began.
 template <class Visit>
 void visitCrossings(const WorldState& world, const FlightScratch& scratch, const Visit& visit) {
-    for (const ChainPasser& passer : scratch.crossings) { visit(passer); }
-    if (scratch.knowsCrossings) { return; }
+    for (const ChainPasser& passer : scratch.chains.crossings) { visit(passer); }
+    if (scratch.chains.knowsCrossings) { return; }
     for (const ChainPasser& passer : world.chainPassers) { visit(passer); }
 }
 
@@ -159,7 +159,7 @@ ChainSide sideAt(const WorldState& world, const FlightObstacle& obstacle, const 
         isInside = apartAt(own, segment, sweep, ofSegment, fraction).separation < -deep &&
                    hangTogether(world, own, place, passer.segment, obstacle.other);
     };
-    for (const ChainPasser& passer : scratch.fromBehind) { look(passer, kPassedRatio); }
+    for (const ChainPasser& passer : scratch.chains.fromBehind) { look(passer, kPassedRatio); }
     visitCrossings(world, scratch, [&](const ChainPasser& passer) { look(passer, kTargetRatio); });
     return isInside ? ChainSide::back : ChainSide::front;
 }
@@ -177,8 +177,8 @@ bool StartAtChains::isBehind(std::uint32_t segment) {
 }
 
 bool StartAtChains::isCrossing(std::uint32_t segment, const FlightScratch& scratch) const {
-    if (isListed(scratch.crossings, {.segment = segment, .shape = shape_})) { return true; }
-    if (scratch.knowsCrossings || !passesChain(world_, shape_, segment)) { return false; }
+    if (isListed(scratch.chains.crossings, {.segment = segment, .shape = shape_})) { return true; }
+    if (scratch.chains.knowsCrossings || !passesChain(world_, shape_, segment)) { return false; }
     // It was in it as the step began. What meets others on its way may have left it, and come back from the front.
     const Shape& own = world_.shapes[shape_];
     const Shape& other = world_.shapes[segment];
@@ -193,14 +193,14 @@ bool passesFromBehind(const WorldState& world, FlightObstacle& obstacle, const S
     if (side == ChainSide::front) { return false; }
     obstacle.isCrossed = obstacle.isClear = true;
     if (side == ChainSide::neighbour) { return true; }
-    scratch.fromBehind.push_back({.segment = obstacle.other, .shape = obstacle.own});
-    scratch.meetsBacks = true;
+    scratch.chains.fromBehind.push_back({.segment = obstacle.other, .shape = obstacle.own});
+    scratch.chains.meetsBacks = true;
     return true;
 }
 
 void noteCrossings(const WorldState& world, std::uint32_t body, const Sweep& sweep, double from, double to,
                    double fraction, FlightScratch& scratch) {
-    std::vector<ChainPasser>& still = scratch.stillCrossings;
+    std::vector<ChainPasser>& still = scratch.chains.stillCrossings;
     still.clear();
     const CrossingMoment now{world, sweep, from, to, fraction};
     const auto isIn = [&](const ChainPasser& passer) {
@@ -210,27 +210,28 @@ void noteCrossings(const WorldState& world, std::uint32_t body, const Sweep& swe
     visitCrossings(world, scratch, [&](const ChainPasser& passer) {
         if (isIn(passer)) { still.push_back(passer); }
     });
-    for (const ChainPasser& passer : scratch.fromBehind) {
+    for (const ChainPasser& passer : scratch.chains.fromBehind) {
         if (isIn(passer)) { still.push_back(passer); }
     }
-    std::erase_if(scratch.crossings,
+    std::erase_if(scratch.chains.crossings,
                   [&](const ChainPasser& passer) { return world.shapes[passer.shape].body == body; });
-    scratch.crossings.insert(scratch.crossings.end(), still.begin(), still.end());
-    scratch.fromBehind.clear();
+    scratch.chains.crossings.insert(scratch.chains.crossings.end(), still.begin(), still.end());
+    scratch.chains.fromBehind.clear();
 }
 
 void beginCrossings(const WorldState& world, std::uint32_t body, FlightScratch& scratch) {
-    scratch.knowsCrossings = true;
+    scratch.chains.knowsCrossings = true;
     for (const ChainPasser& passer : world.chainPassers) {
-        if (world.shapes[passer.shape].body == body) { scratch.crossings.push_back(passer); }
+        if (world.shapes[passer.shape].body == body) { scratch.chains.crossings.push_back(passer); }
     }
 }
 
 void endCrossings(FlightScratch& scratch) {
-    scratch.knowsCrossings = false;
-    scratch.crossed.insert(scratch.crossed.end(), scratch.crossings.begin(), scratch.crossings.end());
-    scratch.crossings.clear();
-    scratch.fromBehind.clear();
+    scratch.chains.knowsCrossings = false;
+    scratch.chains.crossed.insert(scratch.chains.crossed.end(), scratch.chains.crossings.begin(),
+                                  scratch.chains.crossings.end());
+    scratch.chains.crossings.clear();
+    scratch.chains.fromBehind.clear();
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -110,7 +110,7 @@ constexpr double kTimesAhead = 4;
 /// Advances, and knows what it crosses there.
 void goOn(Flight& flight, const Sweep& sweep, double fraction) {
     FlightScratch& scratch = *flight.scratch;
-    if (!scratch.fromBehind.empty() || !scratch.crossings.empty()) {
+    if (!scratch.chains.fromBehind.empty() || !scratch.chains.crossings.empty()) {
         noteCrossings(*flight.world, flight.slot, sweep, flight.elapsed, flight.dt, fraction, scratch);
     }
     advance(flight, sweep, fraction);

@@ -222,7 +222,7 @@ FirstImpact impactOfPath(const WorldState& world, std::uint32_t slot, double tim
 }
 
 void noteCrossingsOfPath(const WorldState& world, std::uint32_t slot, double time, FlightScratch& scratch) {
-    if (!scratch.meetsBacks) { return; }
+    if (!scratch.chains.meetsBacks) { return; }
     impactOfPath(world, slot, time, 1, scratch, true);
     noteCrossings(world, slot, pathOf(world, slot), 0, time, 1, scratch);
 }

@@ -257,7 +257,7 @@ Aabb boxOfPath(const Sweep& sweep, double reach) {
 void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& sweep, double from,
                    FlightScratch& scratch) {
     scratch.obstacles.clear();
-    scratch.fromBehind.clear();
+    scratch.chains.fromBehind.clear();
     bool isPlaced = false;
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& own = world.shapes[slot];
@@ -280,7 +280,7 @@ void findObstacles(const WorldState& world, std::uint32_t body, const Sweep& swe
             if (other.isChainSegment) {
                 obstacle.isBehind = start.isBehind(found);
                 if (!obstacle.isBehind && start.isCrossing(found, scratch)) {
-                    scratch.meetsBacks = true;
+                    scratch.chains.meetsBacks = true;
                     continue;
                 }
             }
@@ -347,10 +347,10 @@ FirstImpact firstImpact(const WorldState& world, const Sweep& sweep, double from
                         double limit, bool ignoresSunk) {
     sortByDistance(world, sweep, scratch);
     for (;;) {
-        const std::size_t crossed = scratch.fromBehind.size();
+        const std::size_t crossed = scratch.chains.fromBehind.size();
         const FirstImpact first = firstOfAll(world, sweep, from, to, scratch, limit, ignoresSunk);
         // What is crossed next may be near before what is crossed first.
-        if (!first.hit || scratch.fromBehind.size() == crossed) { return first; }
+        if (!first.hit || scratch.chains.fromBehind.size() == crossed) { return first; }
         FlightObstacle& obstacle = scratch.obstacles[first.obstacle];
         const Sweep otherSweep = obstacleSweep(world, world.shapes[obstacle.other].body, from, to);
         if (!passesFromBehind(world, obstacle, sweep, otherSweep, first.fraction, scratch)) { return first; }

@@ -38,7 +38,7 @@ void merge(WorldState& world, FlightScratch& scratch) {
     moveAll(world.contactEvents, scratch.events);
     moveAll(world.lostTime, scratch.lostTime);
     moveAll(world.impactPoses, scratch.impactPoses);
-    moveAll(world.crossed, scratch.crossed);
+    moveAll(world.crossed, scratch.chains.crossed);
     scratch.met.clear();  // by a flight that ended there: its shapes may be gone by the next step, and their slots, too
     addPart(world.counters, scratch.counters);
     scratch.counters = {};
@@ -73,7 +73,7 @@ void sweepFastBodies(WorldState& world, double dt) {
             if (body.role == BodyRole::flyer) {
                 fly(world, slot, dt, scratch);
             } else {
-                scratch.meetsBacks = false;
+                scratch.chains.meetsBacks = false;
                 clampAtImpact(world, slot, {.length = dt, .dt = dt}, reasonOf(world, body), scratch);
                 noteCrossingsOfPath(world, slot, dt, scratch);
                 endCrossings(scratch);

@@ -251,7 +251,7 @@ Traces tracesOf(const IslandDesk& desk, const FlightScratch& scratch) {
             .found = desk.found.size(),
             .poses = scratch.impactPoses.size(),
             .losses = scratch.lostTime.size(),
-            .crossed = scratch.crossed.size(),
+            .crossed = scratch.chains.crossed.size(),
             .impacts = scratch.counters.impacts};
 }
 
@@ -277,7 +277,7 @@ void takeBack(WorldState& world, IslandDesk& desk, const Traces& before, FlightS
     cutTo(desk.found, before.found);
     cutTo(scratch.impactPoses, before.poses);
     cutTo(scratch.lostTime, before.losses);
-    cutTo(scratch.crossed, before.crossed);
+    cutTo(scratch.chains.crossed, before.crossed);
     scratch.counters.impacts = before.impacts;
 }
 

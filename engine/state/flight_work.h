@@ -65,6 +65,22 @@ struct NearObstacle {
     auto operator<=>(const NearObstacle&) const = default;
 };
 
+/// What shapes are in of chains that they got to from behind (chain_crossing.h). One life of it is a flight, an island
+/// that advances, or the way of a body that the solver moved:
+/// - `beginCrossings`: `crossings` are what its shapes were in as the step began, and all that they are in. (The way of
+///   the solver begins without; what its body was in as the step began counts beside `crossings`, then.)
+/// - A sweep that does not stop at a segment, since it comes from behind, leaves it in `fromBehind`.
+/// - `noteCrossings`, when it has gone on: of both lists what it still is in becomes `crossings`.
+/// - `endCrossings`: these join `crossed`, which the world takes over as the step ends. All else is forgotten.
+struct ChainCrossings {
+    std::vector<ChainPasser> fromBehind;      ///< that the last sweep does not stop at
+    std::vector<ChainPasser> crossings;       ///< what shapes are in
+    std::vector<ChainPasser> stillCrossings;  ///< scratch of `noteCrossings`
+    bool knowsCrossings = false;              ///< it began: `crossings` are all
+    bool meetsBacks = false;                  ///< since it was taken back, a search found something of either kind
+    std::vector<ChainPasser> crossed;         ///< of all lives of this step that ended
+};
+
 /// What one worker needs for sweeps, and what it found: kept for its capacity, merged after the parallel loop. Nothing
 /// of it shares a cache line with another worker's: they lie side by side, and are written all the time.
 struct alignas(kCacheLine) FlightScratch {
@@ -73,12 +89,8 @@ struct alignas(kCacheLine) FlightScratch {
     std::vector<NearObstacle> nearest;
     std::vector<MetGround> met;  ///< since the flyer moved last
     std::vector<std::uint32_t> found;
-    std::vector<BoxedItem> movers;        ///< members of an island, by slot (member_meetings.h)
-    std::vector<ChainPasser> fromBehind;  ///< that the last sweep does not stop at (chain_crossing.h)
-    std::vector<ChainPasser> crossings;   ///< what shapes are in that came from behind
-    std::vector<ChainPasser> stillCrossings;
-    bool knowsCrossings = false;  ///< `crossings` are all; else there are those of the start of the step
-    bool meetsBacks = false;      ///< since it was taken back, a search found something of either kind
+    std::vector<BoxedItem> movers;  ///< members of an island, by slot (member_meetings.h)
+    ChainCrossings chains;
     std::vector<Vec2> normals;
     std::vector<BodyState> states;
     std::vector<BodyInertia> inertias;
@@ -92,7 +104,6 @@ struct alignas(kCacheLine) FlightScratch {
     std::vector<ContactEvent> events;
     std::vector<LostTimeEntry> lostTime;
     std::vector<ImpactPose> impactPoses;
-    std::vector<ChainPasser> crossed;  ///< as the step ends
     StepCounters counters;
 };
 
