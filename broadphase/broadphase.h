@@ -60,11 +60,11 @@ public:
     virtual Status move(ProxyId id, const Aabb& box) = 0;
     virtual Status remove(ProxyId id) = 0;
 
-    /// Many moves at once: between these two, `moveBeside` may be called for different proxies at the same time, each
-    /// once, and nothing else but `box`, of a proxy that was not moved yet or by the thread that moved it. Errors as
-    /// `move`.
+    /// Many moves at once: between these two, `moveInParallel` may be called for different proxies at the same time,
+    /// each once, and nothing else but `box`, of a proxy that was not moved yet or by the thread that moved it. Errors
+    /// as `move`.
     virtual void beginMoves() = 0;
-    virtual Status moveBeside(ProxyId id, const Aabb& box) = 0;
+    virtual Status moveInParallel(ProxyId id, const Aabb& box) = 0;
     /// From here on the proxies are where they were moved to. The default method shares what is left to be done.
     /// @return how many were moved
     virtual std::size_t endMoves(TaskSystem& loops) = 0;

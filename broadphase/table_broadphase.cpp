@@ -44,35 +44,35 @@ Status TableBroadphase::move(ProxyId id, const Aabb& box) {
 
 void TableBroadphase::beginMoves() { onBeginMoves(); }
 
-Status TableBroadphase::moveBeside(ProxyId id, const Aabb& box) {
+Status TableBroadphase::moveInParallel(ProxyId id, const Aabb& box) {
     if (!table_.holds(id)) { return {StatusCode::staleId, "id"}; }
     if (const Status status = checkBox(box); !status.ok()) { return status; }
-    onMoveBeside(static_cast<std::uint32_t>(id), box);
+    onMoveInParallel(static_cast<std::uint32_t>(id), box);
     return Status::success();
 }
 
 std::size_t TableBroadphase::endMoves(TaskSystem& loops) {
     const std::size_t count = onEndMoves(loops);
-    anyBeside_ = anyBeside_ || count > 0;
+    anyInParallel_ = anyInParallel_ || count > 0;
     counters_.reinserted += count;
     return count;
 }
 
 void TableBroadphase::onBeginMoves() {
-    coming_.resize(table_.slotCount());
-    comes_.assign(table_.slotCount(), 0);
+    pendingBox_.resize(table_.slotCount());
+    isPending_.assign(table_.slotCount(), 0);
 }
 
-void TableBroadphase::onMoveBeside(std::uint32_t slot, const Aabb& box) {
-    coming_[slot] = box;
-    comes_[slot] = 1;
+void TableBroadphase::onMoveInParallel(std::uint32_t slot, const Aabb& box) {
+    pendingBox_[slot] = box;
+    isPending_[slot] = 1;
 }
 
 std::size_t TableBroadphase::onEndMoves(TaskSystem& /*loops*/) {
     std::size_t count = 0;
-    for (std::uint32_t slot = 0; slot < comes_.size(); ++slot) {
-        if (comes_[slot] == 0) { continue; }
-        table_.move(static_cast<ProxyId>(slot), coming_[slot]);
+    for (std::uint32_t slot = 0; slot < isPending_.size(); ++slot) {
+        if (isPending_[slot] == 0) { continue; }
+        table_.move(static_cast<ProxyId>(slot), pendingBox_[slot]);
         onMove(slot);
         ++count;
     }
@@ -101,13 +101,13 @@ const Aabb& TableBroadphase::box(ProxyId id) const {
 
 void TableBroadphase::pairs(std::vector<ProxyPair>& out, TaskSystem& loops) {
     out.clear();
-    if (table_.listedMoved().empty() && !anyBeside_) { return; }
+    if (table_.listedMoved().empty() && !anyInParallel_) { return; }
     PairSink sink(table_, out);
     counters_.boxTests += join(sink, loops);
     order_.sort(out, table_.slotCount(), loops);
     onPairsDone(loops);
     table_.finishPairs();
-    anyBeside_ = false;
+    anyInParallel_ = false;
     counters_.pairsReported += out.size();
 }
 
@@ -158,7 +158,7 @@ BroadphaseCounters TableBroadphase::counters() const {
 }
 
 std::size_t TableBroadphase::memoryBytes() const {
-    return table_.memoryBytes() + order_.memoryBytes() + structureBytes() + bytesOf(coming_) + bytesOf(comes_);
+    return table_.memoryBytes() + order_.memoryBytes() + structureBytes() + bytesOf(pendingBox_) + bytesOf(isPending_);
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

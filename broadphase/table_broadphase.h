@@ -73,7 +73,7 @@ public:
     Status move(ProxyId id, const Aabb& box) final;
     Status remove(ProxyId id) final;
     void beginMoves() final;
-    Status moveBeside(ProxyId id, const Aabb& box) final;
+    Status moveInParallel(ProxyId id, const Aabb& box) final;
     std::size_t endMoves(TaskSystem& loops) final;
     Status renewPairs(ProxyId id) final;
     const Aabb& box(ProxyId id) const final;
@@ -92,8 +92,8 @@ public:
     /// All of it (shapes/listed_members.h).
     template <class Self>
     static constexpr auto allMembers(Self& self) {
-        return listed(self.table_, leftOut(self.order_), leftOut(self.coming_), leftOut(self.comes_), self.anyBeside_,
-                      leftOut(self.counters_), leftOut(self.queryTests_));
+        return listed(self.table_, leftOut(self.order_), leftOut(self.pendingBox_), leftOut(self.isPending_),
+                      self.anyInParallel_, leftOut(self.counters_), leftOut(self.queryTests_));
     }
 
 protected:
@@ -106,10 +106,10 @@ private:
     virtual void onInsert(std::uint32_t slot) = 0;
     virtual void onMove(std::uint32_t slot) = 0;
     virtual void onRenew(std::uint32_t) {}
-    /// Room for `onMoveBeside`, which may be called for different slots at the same time. By default moves wait until
-    /// all are known.
+    /// Room for `onMoveInParallel`, which may be called for different slots at the same time. By default moves wait
+    /// until all are known.
     virtual void onBeginMoves();
-    virtual void onMoveBeside(std::uint32_t slot, const Aabb& box);
+    virtual void onMoveInParallel(std::uint32_t slot, const Aabb& box);
     /// @return how many were moved
     virtual std::size_t onEndMoves(TaskSystem& loops);
     /// The slot is still taken.
@@ -134,9 +134,9 @@ private:
 
     ProxyTable table_;
     PairOrder order_;
-    std::vector<Aabb> coming_;         // by slot, of those that were moved beside each other
-    std::vector<std::uint8_t> comes_;  // by slot, 1: it was
-    bool anyBeside_ = false;           // some were since the last call of `pairs`
+    std::vector<Aabb> pendingBox_;         // by slot, of those that were moved in parallel
+    std::vector<std::uint8_t> isPending_;  // by slot, 1: it was
+    bool anyInParallel_ = false;           // some were since the last call of `pairs`
     BroadphaseCounters counters_;
     mutable SharedCount queryTests_;  // queries may run at the same time as each other
 };

@@ -27,13 +27,13 @@ void WideBvh::onInsert(std::uint32_t slot) {
 void WideBvh::onMove(std::uint32_t slot) { treeAt(slot).move(places_[slot], table().boxAt(slot)); }
 
 void WideBvh::onBeginMoves() {
-    for (CopiedAtomic<bool>& any : kindsBeside_) { any.store(false, std::memory_order_relaxed); }
+    for (CopiedAtomic<bool>& any : kindsInParallel_) { any.store(false, std::memory_order_relaxed); }
 }
 
-void WideBvh::onMoveBeside(std::uint32_t slot, const Aabb& box) {
+void WideBvh::onMoveInParallel(std::uint32_t slot, const Aabb& box) {
     table().moveUnmarked(slot, box);
-    treeAt(slot).moveBeside(places_[slot], box);
-    CopiedAtomic<bool>& any = kindsBeside_[static_cast<std::size_t>(table().kindOf(static_cast<ProxyId>(slot)))];
+    treeAt(slot).moveInParallel(places_[slot], box);
+    CopiedAtomic<bool>& any = kindsInParallel_[static_cast<std::size_t>(table().kindOf(static_cast<ProxyId>(slot)))];
     if (!any.load(std::memory_order_relaxed)) { any.store(true, std::memory_order_relaxed); }  // mostly it is
 }
 
@@ -43,7 +43,7 @@ std::size_t WideBvh::onEndMoves(TaskSystem& loops) {
     std::size_t count = 0;
     for (std::size_t kind = 0; kind < trees_.size(); ++kind) {
         // The others need not be gone through for marks: most of a large world is ground.
-        if (kindsBeside_[kind].load(std::memory_order_relaxed)) { count += trees_[kind].endMoves(loops); }
+        if (kindsInParallel_[kind].load(std::memory_order_relaxed)) { count += trees_[kind].endMoves(loops); }
     }
     if (count > 0) { prepareJoins(loops); }
     return count;

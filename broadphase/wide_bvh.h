@@ -25,8 +25,8 @@ public:
     /// All of it (shapes/listed_members.h).
     template <class Self>
     static constexpr auto allMembers(Self& self) {
-        return listed(baseOf<TableBroadphase>(self), leftOut(self.kernels_), self.trees_, leftOut(self.kindsBeside_),
-                      self.places_, leftOut(self.joins_), leftOut(self.scratch_));
+        return listed(baseOf<TableBroadphase>(self), leftOut(self.kernels_), self.trees_,
+                      leftOut(self.kindsInParallel_), self.places_, leftOut(self.joins_), leftOut(self.scratch_));
     }
 
 private:
@@ -35,7 +35,7 @@ private:
     void onRenew(std::uint32_t slot) override { treeAt(slot).forget(places_[slot]); }
     void onRemove(std::uint32_t slot) override;
     void onBeginMoves() override;
-    void onMoveBeside(std::uint32_t slot, const Aabb& box) override;
+    void onMoveInParallel(std::uint32_t slot, const Aabb& box) override;
     std::size_t onEndMoves(TaskSystem& loops) override;
     void onPairsDone(TaskSystem& loops) override;
     std::uint64_t join(PairSink& sink, TaskSystem& loops) override;
@@ -55,7 +55,7 @@ private:
 
     const WideKernels& kernels_;
     std::array<WideTree, kProxyKindCount> trees_;
-    std::array<CopiedAtomic<bool>, kProxyKindCount> kindsBeside_{};  // some of it were moved beside each other
+    std::array<CopiedAtomic<bool>, kProxyKindCount> kindsInParallel_{};  // some of it were moved in parallel
     std::vector<std::uint32_t> places_;  // one per slot: the place in the tree of the slot's kind
     std::vector<WideJoin> joins_;        // the pieces of a search, none of which needs another
     std::vector<WideScratch> scratch_;   // one per worker

@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t kNodeGrain = 64;
 constexpr std::size_t kMarkGrain = 256;
 /// Marks of places, until they are the nodes': a byte each, so that several threads may set them.
-constexpr std::uint8_t kMovedBeside = 1;
-constexpr std::uint8_t kJumpedBeside = 2;
+constexpr std::uint8_t kMovedInParallel = 1;
+constexpr std::uint8_t kJumpedInParallel = 2;
 static_assert(kWide == sizeof(std::uint64_t), "the marks of a node are read at once");
 
 /// Halves against each other: three steps instead of a chain of eight, and the first is one for a register of four
@@ -94,27 +94,27 @@ bool WideTree::jumpsFrom(std::uint32_t place, const Aabb& box) const {
     return height_ > 1 && !overlaps(box, levels_[1][node >> kLaneBits].box(node & kLaneMask));
 }
 
-void WideTree::moveBeside(std::uint32_t place, const Aabb& box) {
-    besides_[place] = jumpsFrom(place, box) ? kMovedBeside | kJumpedBeside : kMovedBeside;
+void WideTree::moveInParallel(std::uint32_t place, const Aabb& box) {
+    parallelMarks_[place] = jumpsFrom(place, box) ? kMovedInParallel | kJumpedInParallel : kMovedInParallel;
     levels_[0][place >> kLaneBits].set(place & kLaneMask, box);
 }
 
 /// Of a range of the lowest nodes. @return how many were moved
-std::uint32_t WideTree::markBesides(std::size_t begin, std::size_t end) {
+std::uint32_t WideTree::takeParallelMarks(std::size_t begin, std::size_t end) {
     std::uint32_t count = 0;
     for (std::size_t node = begin; node < end; ++node) {
-        std::uint8_t* const besides = besides_.data() + node * kWide;
+        std::uint8_t* const marksOfNode = parallelMarks_.data() + node * kWide;
         std::uint64_t all = 0;
-        std::memcpy(&all, besides, sizeof(all));
+        std::memcpy(&all, marksOfNode, sizeof(all));
         if (all == 0) { continue; }
         unsigned moved = 0;
         unsigned jumped = 0;
         for (std::uint32_t lane = 0; lane < kWide; ++lane) {
-            const unsigned marks = besides[lane];
-            moved |= (marks & kMovedBeside) << lane;
-            jumped |= ((marks & kJumpedBeside) >> 1U) << lane;
+            const unsigned marks = marksOfNode[lane];
+            moved |= (marks & kMovedInParallel) << lane;
+            jumped |= ((marks & kJumpedInParallel) >> 1U) << lane;
         }
-        std::memset(besides, 0, sizeof(all));
+        std::memset(marksOfNode, 0, sizeof(all));
         count += static_cast<std::uint32_t>(std::popcount(moved));
         movedLanes_[node] |= static_cast<std::uint8_t>(moved);
         jumpedLanes_[node] |= static_cast<std::uint8_t>(jumped);
@@ -125,7 +125,7 @@ std::uint32_t WideTree::markBesides(std::size_t begin, std::size_t end) {
 std::uint32_t WideTree::endMoves(TaskSystem& loops) {
     std::atomic<std::uint32_t> count = 0;
     loops.run(movedLanes_.size(), kMarkGrain, [&](std::size_t begin, std::size_t end, int) {
-        const std::uint32_t some = markBesides(begin, end);
+        const std::uint32_t some = takeParallelMarks(begin, end);
         if (some > 0) { count.fetch_add(some, std::memory_order_relaxed); }
     });
     if (count == 0) { return 0; }
@@ -166,7 +166,7 @@ void WideTree::makeRoomForNodes() {
     }
     makeRoom(known_, known_.size() + 1);
     makeRoom(slots_, slots_.size() + kWide);
-    makeRoom(besides_, slots_.size() + kWide);
+    makeRoom(parallelMarks_, slots_.size() + kWide);
     makeRoom(movedLanes_, movedLanes_.size() + 1);
     makeRoom(jumpedLanes_, jumpedLanes_.size() + 1);
     makeRoom(nodeSpreads_, nodeSpreads_.size() + 1);
@@ -183,7 +183,7 @@ void WideTree::addNodes() {
     slots_.resize(slots_.size() + kWide, kNoSlot);
     movedLanes_.push_back(0);
     jumpedLanes_.push_back(0);
-    besides_.resize(slots_.size(), 0);
+    parallelMarks_.resize(slots_.size(), 0);
     nodeSpreads_.push_back(0);
     height_ = std::max<std::size_t>(height_, 1);
     for (std::size_t level = 0; levels_[level].size() > 1; ++level) {
@@ -357,7 +357,7 @@ void WideTree::finishJoin(TaskSystem& loops) {
 
 std::size_t WideTree::memoryBytes() const {
     std::size_t sum = bytesOf(known_) + bytesOf(slots_) + bytesOf(movedLanes_) + bytesOf(jumpedLanes_) +
-                      bytesOf(jumped_) + bytesOf(movedNodes_) + bytesOf(besides_) + bytesOf(nodeSpreads_) +
+                      bytesOf(jumped_) + bytesOf(movedNodes_) + bytesOf(parallelMarks_) + bytesOf(nodeSpreads_) +
                       bytesOf(spreadGains_) + bytesOf(items_) + bytesOf(oldBoxes_) + bytesOf(oldKnown_) +
                       bytesOf(oldSlots_) + bytesOf(oldMoved_);
     for (const auto& level : levels_) { sum += bytesOf(level); }

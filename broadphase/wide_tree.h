@@ -80,7 +80,7 @@ public:
     void remove(std::uint32_t place);
     void move(std::uint32_t place, const Aabb& box);
     /// Likewise, of different places at the same time; the boxes above follow with `endMoves`.
-    void moveBeside(std::uint32_t place, const Aabb& box);
+    void moveInParallel(std::uint32_t place, const Aabb& box);
     /// Marks what was moved that way. What asks for boxes needs `prepareJoin` first. @return how many were
     std::uint32_t endMoves(TaskSystem& loops);
     /// Takes a box back from the known ones, and marks it as moved.
@@ -112,8 +112,8 @@ public:
     template <class Self>
     static constexpr auto allMembers(Self& self) {
         return listed(self.levels_, self.known_, self.slots_, self.movedLanes_, self.movedNodes_, self.jumpedLanes_,
-                      self.jumped_, self.besides_, self.nodeSpreads_, self.moved_, self.height_, self.size_, self.end_,
-                      self.movedCount_, self.misplaced_, self.builtSpread_, self.builtSize_, self.spread_,
+                      self.jumped_, self.parallelMarks_, self.nodeSpreads_, self.moved_, self.height_, self.size_,
+                      self.end_, self.movedCount_, self.misplaced_, self.builtSpread_, self.builtSize_, self.spread_,
                       self.isPrepared_, self.decay_, leftOut(self.spreadGains_), leftOut(self.items_),
                       leftOut(self.oldBoxes_), leftOut(self.oldKnown_), leftOut(self.oldSlots_),
                       leftOut(self.oldMoved_));
@@ -133,7 +133,7 @@ private:
     void include(std::uint32_t place, const Aabb& box);
     void mark(std::uint32_t place);
     bool jumpsFrom(std::uint32_t place, const Aabb& box) const;
-    std::uint32_t markBesides(std::size_t begin, std::size_t end);
+    std::uint32_t takeParallelMarks(std::size_t begin, std::size_t end);
     void settleJumps(std::span<std::uint32_t> places);
     void sortMovedNodes();
     void refit(TaskSystem& loops);
@@ -152,11 +152,11 @@ private:
     std::vector<WideBoxes> known_;
     std::vector<std::uint32_t> slots_;
     std::vector<std::uint8_t> movedLanes_;
-    std::vector<std::uint32_t> movedNodes_;  // those with marks, and maybe others, and maybe twice
-    std::vector<std::uint8_t> jumpedLanes_;  // those that left the box of their node in one move
-    std::vector<std::uint32_t> jumped_;      // their places
-    std::vector<std::uint8_t> besides_;      // one per place: kMovedBeside, kJumpedBeside
-    std::vector<double> nodeSpreads_;        // of the lowest nodes when they were built; 0: not known yet
+    std::vector<std::uint32_t> movedNodes_;    // those with marks, and maybe others, and maybe twice
+    std::vector<std::uint8_t> jumpedLanes_;    // those that left the box of their node in one move
+    std::vector<std::uint32_t> jumped_;        // their places
+    std::vector<std::uint8_t> parallelMarks_;  // one per place: kMovedInParallel, kJumpedInParallel
+    std::vector<double> nodeSpreads_;          // of the lowest nodes when they were built; 0: not known yet
     std::array<std::vector<MovedNode>, kMaxLevels> moved_;
     std::size_t height_ = 0;
     std::uint32_t size_ = 0;        // proxies in the tree

@@ -125,7 +125,7 @@ void WideTree::pack(std::span<const Aabb> boxes) {
 void WideTree::clearJumps() {
     jumpedLanes_.assign(levels_[0].size(), 0);
     jumped_.clear();
-    besides_.assign(slots_.size(), 0);
+    parallelMarks_.assign(slots_.size(), 0);
     nodeSpreads_.assign(levels_[0].size(), 0);
 }
 
@@ -146,7 +146,7 @@ void WideTree::makeRoomForItems(std::size_t count) {
     makeRoom(oldSlots_, count);
     makeRoom(oldMoved_, nodes);
     makeRoom(jumpedLanes_, nodes);
-    makeRoom(besides_, count);
+    makeRoom(parallelMarks_, count);
     makeRoom(nodeSpreads_, nodes);
     makeRoom(movedNodes_, nodes);
     for (std::size_t level = 1; level < kMaxLevels && nodes > 1; ++level) {

@@ -153,7 +153,7 @@ void moveProxy(WorldState& world, ProxyId proxy, const Aabb& box) {
 
 void renewBoxes(WorldState& world, std::uint32_t body) {
     visitOutgrown(world, body, [&world](ProxyId proxy, const Aabb& box) {
-        (void)world.broadphase->moveBeside(proxy, box);  // refused: it keeps its box
+        (void)world.broadphase->moveInParallel(proxy, box);  // refused: it keeps its box
     });
 }
 

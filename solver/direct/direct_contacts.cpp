@@ -30,7 +30,7 @@ constexpr std::size_t kFewestOfWide = 129;
 /// Gaps beyond this part of the distance to the centre of mass of the nearer body that can be moved, across which what
 /// pressed before does not press before they are closed: the same, of many bodies, where so wide ones are left.
 constexpr Real kGapRatio = Real(1) / (1 << 15);
-constexpr Real kGapRatioOfPatient = Real(1) / (1 << 13);
+constexpr Real kGapRatioOfMany = Real(1) / (1 << 13);
 
 /// Whether a point gapes more than rounding and what is left of closed gaps explain.
 bool isOpen(const SolverBatch& batch, const ContactConstraint& contact, const ContactConstraintPoint& point,
@@ -56,8 +56,8 @@ double leadOf(const SolverBatch& batch, BodySlot slot, Vec2 anchor) {
 
 }  // namespace
 
-void DirectContacts::begin(std::size_t nodes, bool isPatient) {
-    isPatient_ = isPatient;
+void DirectContacts::begin(std::size_t nodes, bool hasManyBodies) {
+    hasManyBodies_ = hasManyBodies;
     points_.clear();
     parts_.clear();
     spareBodyRounds_ = static_cast<std::int64_t>(spareRoundsFor(nodes)) * static_cast<std::int64_t>(nodes);
@@ -175,7 +175,7 @@ void DirectContacts::gatherOf(const Part& part, const SolverBatch& batch, Real h
     // stays as it is guessed, so it was held in the first half of each sub-step and free in the second, and each of
     // them had a factor of its own.
     const bool isKnown = part.isWide && std::any_of(points.begin(), points.end(), pressed);
-    const Real gapRatio = isPatient_ ? kGapRatioOfPatient : kGapRatio;
+    const Real gapRatio = hasManyBodies_ ? kGapRatioOfMany : kGapRatio;
     for (Point& contact : points) {
         const ContactConstraint& constraint = *contact.contact;
         const ContactConstraintPoint& point = *contact.point;

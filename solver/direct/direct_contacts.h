@@ -22,8 +22,8 @@ namespace swept::inline SWEPT_PRECISION {
 /// around it.
 class DirectContacts {
 public:
-    /// Once a step. @param isPatient  of many bodies: more rounds
-    void begin(std::size_t nodes, bool isPatient);
+    /// Once a step. @param hasManyBodies  more rounds
+    void begin(std::size_t nodes, bool hasManyBodies);
     /// Each part of the system is searched by itself: what goes to and fro in one holds up no other.
     /// @pre contacts stay where they are until the step ends
     void list(SolverBatch& batch, DirectSystem& system);
@@ -121,7 +121,7 @@ private:
     double slopeAt(const Part& part, const DirectSystem& system, double share) const;
     double searchLine(const Part& part, const DirectSystem& system);
 
-    bool isPatient_ = false;
+    bool hasManyBodies_ = false;
     std::vector<Point> points_;  ///< part by part
     std::vector<Part> parts_;
     std::vector<std::uint32_t> partOf_;    ///< by node; scratch of `orderByPart`, as the next one

@@ -96,7 +96,7 @@ void DirectDrives::gather(SolverBatch& batch, DirectSystem& system, Real h, bool
             Drive& drive = drives_.emplace_back();
             drive.rows[0] = row;
             drive.most = (useBias && !isWhole_ ? 0.5 : 1.0) * static_cast<double>(motor.most);
-            drive.isPatient = motor.isOfMotorJoint;
+            drive.keepsLastPush = motor.isOfMotorJoint;
         }
         continues = motor.hasOther;
     }
@@ -111,8 +111,8 @@ void DirectDrives::expect() {
         Drive& drive = drives_[i];
         const Push before{drive.rows[0].before, drive.count > 1 ? drive.rows[1].before : 0};
         if (isFirstHalf_) { ended_.push_back(before); }
-        const bool isPatient = !isFirstHalf_ && drive.isPatient;
-        const Push expected = isPatient ? ended_[i] : times(isWhole_ ? 1.0 : share, before);
+        const bool keepsLastPush = !isFirstHalf_ && drive.keepsLastPush;
+        const Push expected = keepsLastPush ? ended_[i] : times(isWhole_ ? 1.0 : share, before);
         const bool isWithin = sizeOf(expected) < drive.most;
         const Push guess = isWithin ? expected : times(drive.most, unitOf(expected));
         for (std::size_t k = 0; k < drive.count; ++k) { drive.rows[k].row.guess = guess[k]; }

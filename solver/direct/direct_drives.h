@@ -63,8 +63,8 @@ private:
     struct Drive {
         std::array<DriveRow, 2> rows;
         std::size_t count = 1;
-        double most = 0;         ///< in this solve, to any side
-        bool isPatient = false;  ///< expects what the sub-step before ended with, see `gather`
+        double most = 0;             ///< in this solve, to any side
+        bool keepsLastPush = false;  ///< expects what the sub-step before ended with, see `expect`
         Hold hold = Hold::held;
         Push along{};      ///< forced: in which direction, of unit length
         double share = 0;  ///< forced, with two: what is left of its strength across that

@@ -12,14 +12,14 @@ namespace {
 constexpr Real kProjectionRate = Real(1) / 4;
 /// Of many bodies, where each step of it costs a search. (With all of it at once, the first impulses took longer to
 /// find.)
-constexpr Real kProjectionRateOfPatient = Real(1) / 2;
+constexpr Real kProjectionRateOfMany = Real(1) / 2;
 /// Separations beyond this part of the distance to the centre of mass of the nearer body that can be moved are closed
 /// within the step, smaller ones at its end. (With the farther one, static or not, bodies on ground that began ten
 /// metres away were left with gaps that kept them from being held, and were solved in every step.)
 constexpr Real kLargeRatio = Real(1) / 8192;
 constexpr Real kSmallRatio = Real(1) / (1 << 20);
 /// Of many bodies: 1275 boxes side by side took 60 more steps, 25 ms each, to come down to the other one.
-constexpr Real kSmallRatioOfPatient = Real(1) / (1 << 14);
+constexpr Real kSmallRatioOfMany = Real(1) / (1 << 14);
 
 /// How far apart a point may stay, metres.
 Real toleranceAt(const ContactConstraintPoint& point, bool movesA, bool movesB, Real ratio) {
@@ -33,8 +33,8 @@ bool isStuck(const ContactConstraint& contact, const ContactConstraintPoint& poi
 }  // namespace
 
 bool DirectContacts::gatherOverlaps(const SolverBatch& batch, const DirectSystem& system, Real h, bool isLast) {
-    const Real rate = isPatient_ ? kProjectionRateOfPatient : kProjectionRate;
-    const Real smallRatio = isPatient_ ? kSmallRatioOfPatient : kSmallRatio;
+    const Real rate = hasManyBodies_ ? kProjectionRateOfMany : kProjectionRate;
+    const Real smallRatio = hasManyBodies_ ? kSmallRatioOfMany : kSmallRatio;
     bool anyLarge = false;
     for (Part& part : parts_) {
         part.isFar =

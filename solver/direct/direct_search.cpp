@@ -15,7 +15,7 @@ namespace {
 /// goes to and fro between two pieces, as rows do that are too stiff. Among many bodies there are more pieces to go
 /// through: walls of a thousand bricks that find their first impulses take up to 17, with 12 they were given up.
 constexpr int kMostRounds = 12;
-constexpr int kMostRoundsOfPatient = 40;
+constexpr int kMostRoundsOfMany = 40;
 /// The same for a whole solve: a web of 256 bodies that never settles must not stop the world. The first few are not
 /// counted, the others all solves of a step share.
 constexpr int kMostRoundsOfSolve = 48;
@@ -23,11 +23,11 @@ constexpr int kUsualRoundsOfSolve = 4;
 /// Whoever is held otherwise after so many rounds of a solve asks for more than half of what is usual in a sub-step
 /// (effort.cpp).
 constexpr int kRoundsOfNoNote = 3;
-constexpr int kMostRoundsOfPatientSolve = 150;
+constexpr int kMostRoundsOfManySolve = 150;
 /// Dampers are then made weaker by this, as often as that. What they leave is mended by the next solve. Among many
 /// bodies less at a time: with 1/64 the first solves of a pyramid of 1275 boxes left 2 cm/s, with 1/8 0.2 mm/s.
 constexpr double kWeaker = 1.0 / 64;
-constexpr double kWeakerOfPatient = 1.0 / 8;
+constexpr double kWeakerOfMany = 1.0 / 8;
 constexpr double kWeakest = kWeaker * kWeaker;
 /// Rounds in which the limits follow the normal impulses.
 constexpr int kMostLimitRounds = 8;
@@ -180,7 +180,7 @@ bool DirectContacts::classify(const Part& part, const DirectSystem& system, bool
         SystemRow& tangent = contact.tangent;
         const double pressed = system.pullOf(normal, system.changedExcess(normal));
         const bool presses = pressed > (contact.normalHold == Hold::held ? -brink : brink);
-        if (isPatient_ && contact.normalHold == Hold::held && !presses && std::isinf(contact.limit)) {
+        if (hasManyBodies_ && contact.normalHold == Hold::held && !presses && std::isinf(contact.limit)) {
             // What holds without limit once it presses, and then carries much, parts its bodies, so that it does not
             // press: no minimum lies between. It is taken to slide, until it is known how much it presses.
             if (++contact.partings >= kMostPartings) { contact.limit = 0; }
@@ -254,7 +254,7 @@ double DirectContacts::searchLine(const Part& part, const DirectSystem& system) 
 bool DirectContacts::settle(const Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
     const std::span<Block3> change = system.change();
     bool hasPlace = false;
-    const int mostRounds = isPatient_ ? kMostRoundsOfPatient : kMostRounds;
+    const int mostRounds = hasManyBodies_ ? kMostRoundsOfMany : kMostRounds;
     for (int round = 0; round < mostRounds && roundsLeft_-- > 0; ++round) {
         if (!takeUpFactor(part, system, joints)) { assemble(part, system, joints, report); }
         computeChange(part, system, joints);
@@ -321,7 +321,7 @@ bool DirectContacts::tighten(const Part& part) {
 
 bool DirectContacts::searchIn(Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
     part.mayBeSqueezed = false;
-    const double weaker = isPatient_ ? kWeakerOfPatient : kWeaker;
+    const double weaker = hasManyBodies_ ? kWeakerOfMany : kWeaker;
     int tightenings = 0;
     int round = 0;
     for (; round < kMostLimitRounds; ++round) {
@@ -347,9 +347,9 @@ bool DirectContacts::searchIn(Part& part, DirectSystem& system, const DirectJoin
 bool DirectContacts::searchPart(Part& part, DirectSystem& system, const DirectJoints& joints, DirectReport& report) {
     const auto bodies = static_cast<std::int64_t>(part.nodes.end - part.nodes.begin);
     const std::int64_t spare = std::min<std::int64_t>(part.spareRounds, spareBodyRounds_ / bodies);
-    const int most = isPatient_ ? kMostRoundsOfPatientSolve
-                                : static_cast<int>(std::clamp<std::int64_t>(kUsualRoundsOfSolve + spare,
-                                                                            kUsualRoundsOfSolve, kMostRoundsOfSolve));
+    const int most = hasManyBodies_ ? kMostRoundsOfManySolve
+                                    : static_cast<int>(std::clamp<std::int64_t>(
+                                          kUsualRoundsOfSolve + spare, kUsualRoundsOfSolve, kMostRoundsOfSolve));
     roundsLeft_ = most;
     notedFrom_ = most - kRoundsOfNoNote;
     system.setStrength(1);

@@ -32,7 +32,7 @@ bool isAnyIterated(const SolverBatch& batch) {
 
 }  // namespace
 
-bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient) {
+bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool hasManyBodies) {
     if ((scope == DirectScope::freeJoints || scope == DirectScope::islands) && !batch.contacts.empty()) {
         return false;
     }
@@ -43,7 +43,7 @@ bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool isPatient
     jointed_.begin();
     listNodes(batch);
     if (system_.nodes().empty() || !couple(batch)) { return false; }
-    contacts_.begin(system_.nodes().size(), isPatient);
+    contacts_.begin(system_.nodes().size(), hasManyBodies);
     if (scope != DirectScope::all) { joints_.weigh(batch, system_, holdsDrives(scope)); }
     if (scope == DirectScope::all) { contacts_.list(batch, system_); }
     if (scope == DirectScope::jointed) { jointed_.list(batch, system_); }

@@ -23,9 +23,9 @@ namespace swept::inline SWEPT_PRECISION {
 class DirectSolver {
 public:
     /// Once a step: bodies, islands, rows. @pre contacts stay where they are until the step ends
-    /// @param isPatient  of many bodies: more rounds
+    /// @param hasManyBodies  more rounds
     /// @return false when there is nothing to do, or the system is too tangled to pay
-    bool prepare(SolverBatch& batch, DirectScope scope, bool isPatient = false);
+    bool prepare(SolverBatch& batch, DirectScope scope, bool hasManyBodies = false);
 
     /// Of sub-steps to come: errors of joints are closed within so long, s, or one of them, whichever is longer.
     void setLeastClosing(Real seconds) { joints_.setLeastClosing(seconds); }

@@ -39,7 +39,7 @@ public:
         broadphase.beginMoves();
         tasks.run(moved_.size(), 16, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i) {
-                EXPECT_TRUE(broadphase.moveBeside(static_cast<ProxyId>(moved_[i]), boxes_[moved_[i]]).ok());
+                EXPECT_TRUE(broadphase.moveInParallel(static_cast<ProxyId>(moved_[i]), boxes_[moved_[i]]).ok());
             }
         });
         EXPECT_EQ(broadphase.endMoves(tasks), moved_.size());
@@ -111,7 +111,7 @@ TEST(SharedPairs, OfBoxesThatAreMovedBesideEachOther) {
         }
         EXPECT_GT(found, 4000U) << "too few pairs to prove anything";
         shared->beginMoves();
-        EXPECT_FALSE(shared->moveBeside(static_cast<ProxyId>(1'000'000), {}).ok());
+        EXPECT_FALSE(shared->moveInParallel(static_cast<ProxyId>(1'000'000), {}).ok());
         EXPECT_EQ(shared->endMoves(tasks), 0U);
     }
 }
