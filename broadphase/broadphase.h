@@ -89,7 +89,8 @@ public:
     virtual Status renewPairs(ProxyId id) = 0;
 
     /// Calls `visit` for each proxy whose box overlaps; a visitor that returns false ends the query. Order is
-    /// unspecified.
+    /// unspecified. Bounds may be infinite, here and in the two below; where lower > upper, or a bound is NaN,
+    /// nothing is found.
     virtual void query(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const = 0;
 
     /// As `query`, for static and kinematic proxies. An implementation that does not keep kinds apart visits others

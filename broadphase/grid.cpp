@@ -167,7 +167,6 @@ std::uint64_t Grid::join(PairSink& sink, TaskSystem& /*loops*/) {
 }
 
 std::uint64_t Grid::visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
-    if (!isValid(box)) { return 0; }  // a NaN has no cell
     std::uint64_t tests = 0;
     offerAround(box, [&](std::uint32_t slot) {
         ++tests;

@@ -22,9 +22,19 @@ constexpr std::uint8_t meetingKinds(ProxyKind kind) {
     return static_cast<std::uint8_t>(mask);
 }
 
-/// Overlaps nothing, itself included; the hull of it and another box is the other box.
+/// Overlaps no box with a finite bound, so itself neither; the hull of it and another box is the other box. Only a box
+/// that is infinite on all four sides overlaps it: `askedAs` makes that finite.
 inline constexpr Aabb kNoBox = {{std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity()},
                                 {-std::numeric_limits<Real>::infinity(), -std::numeric_limits<Real>::infinity()}};
+
+/// Whether a query can find something: not where lower > upper, or where a bound is NaN.
+constexpr bool isAskable(const Aabb& box) { return overlaps(box, box); }
+/// The box of a query, overlapping the same proxies and never `kNoBox`: one finite bound is enough for that.
+constexpr Aabb askedAs(Aabb box) {
+    constexpr Real kMost = (std::numeric_limits<Real>::max)();
+    box.upper.x = box.upper.x > kMost ? kMost : box.upper.x;
+    return box;
+}
 
 /// The one check of boxes that come from outside.
 Status refusalOf(const Aabb& box);

@@ -112,11 +112,11 @@ void TableBroadphase::pairs(std::vector<ProxyPair>& out, TaskSystem& loops) {
 }
 
 void TableBroadphase::query(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
-    queryTests_.add(visitOverlaps(box, visit));
+    if (isAskable(box)) { queryTests_.add(visitOverlaps(askedAs(box), visit)); }
 }
 
 void TableBroadphase::queryGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
-    queryTests_.add(visitGround(box, visit));
+    if (isAskable(box)) { queryTests_.add(visitGround(askedAs(box), visit)); }
 }
 
 void TableBroadphase::queryDynamic(std::span<const Aabb> boxes, FunctionRef<void(std::size_t, ProxyId)> visit) const {
@@ -127,7 +127,8 @@ std::uint64_t TableBroadphase::visitDynamic(std::span<const Aabb> boxes,
                                             FunctionRef<void(std::size_t, ProxyId)> visit) const {
     std::uint64_t tests = 0;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        tests += visitOverlaps(boxes[i], [&](ProxyId id) {
+        if (!isAskable(boxes[i])) { continue; }
+        tests += visitOverlaps(askedAs(boxes[i]), [&](ProxyId id) {
             visit(i, id);
             return true;
         });

@@ -39,8 +39,8 @@ WideBoxes WideBoxes::empty() {
 WideBoxes WideBoxes::of(std::span<const Aabb> some) {
     WideBoxes boxes;
     for (std::uint32_t lane = 0; lane < kWide; ++lane) {
-        const bool isOne = lane < some.size() && overlaps(some[lane], some[lane]);
-        boxes.set(lane, isOne ? some[lane] : kNoBox);
+        const bool isOne = lane < some.size() && isAskable(some[lane]);
+        boxes.set(lane, isOne ? askedAs(some[lane]) : kNoBox);
     }
     return boxes;
 }

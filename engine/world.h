@@ -307,7 +307,7 @@ public:
     /// Calls `visit` with where each shape is met, as by castShape, and in the manner of castRayAll.
     void castShapeAll(const Polygon& polygon, const WorldTransform& pose, Vec2 translation, const QueryFilter& filter,
                       FunctionRef<Real(const CastHit&)> visit) const;
-    /// Shapes whose boxes overlap `box`; a visitor that returns false ends the query.
+    /// Shapes whose boxes overlap `box`, which may be infinite; a visitor that returns false ends the query.
     void queryBox(const Aabb& box, const QueryFilter& filter, FunctionRef<bool(ShapeId)> visit) const;
     /// Shapes that overlap or touch the polygon, exactly; a visitor that returns false ends the query.
     void overlapShape(const Polygon& polygon, const WorldTransform& pose, const QueryFilter& filter,

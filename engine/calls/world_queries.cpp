@@ -230,7 +230,7 @@ CastHit World::castShape(const Polygon& polygon, const WorldTransform& pose, Vec
 }
 
 void World::queryBox(const Aabb& box, const QueryFilter& filter, FunctionRef<bool(ShapeId)> visit) const {
-    if (!swept::isValid(box)) { return; }
+    if (!overlaps(box, box)) { return; }  // lower > upper, or NaN; infinite bounds are as good as any
     const auto accepts = [this, &box](const Shape& shape) {
         return overlaps(box, boundsOf(shape.polygon, state_->motions[shape.body].pose));
     };
