@@ -1,6 +1,10 @@
 #include "ray_cast.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "rescaling.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -186,9 +190,34 @@ Entry enter(const Polygon& polygon, const Ray& ray) {
     return polygon.count == 2 && polygon.radius == 0 ? enterSegment(polygon, ray) : enterOutline(polygon, ray);
 }
 
-}  // namespace
+/// Largest coordinate or radius.
+double largestOf(const Polygon& polygon, Vec2 point) {
+    const double ofPoint = std::max(largestOf(point), static_cast<double>(polygon.radius));
+    return std::max(ofPoint, largestOf(polygon.points()));
+}
 
-RayCastHit rayCast(const Polygon& polygon, Vec2 origin, Vec2 direction, Real maxFraction) {
+Polygon rescaled(const Polygon& polygon, int exponent) {
+    Polygon copy = polygon;
+    for (Vec2& v : copy.vertices) { v = rescaled(v, exponent); }
+    copy.radius = std::ldexp(polygon.radius, exponent);
+    return copy;
+}
+
+RayCastHit cast(const Polygon& polygon, Vec2 origin, Vec2 direction, Real maxFraction);
+
+/// Shape and origin are scaled by one power of two, and the direction by another one.
+RayCastHit castRescaled(const Polygon& polygon, Vec2 origin, Vec2 direction, Real maxFraction) {
+    const int scale = exponentOf(largestOf(polygon, origin));
+    const int speed = exponentOf(largestOf(direction));
+    const Real everywhere = std::numeric_limits<Real>::infinity();
+    RayCastHit hit = cast(rescaled(polygon, -scale), rescaled(origin, -scale), rescaled(direction, -speed), everywhere);
+    hit.fraction = std::ldexp(hit.fraction, scale - speed);
+    if (!hit.hit || hit.fraction > maxFraction) { return {}; }
+    hit.point = hit.normal == Vec2{} ? origin : rescaled(hit.point, scale);
+    return hit;
+}
+
+RayCastHit cast(const Polygon& polygon, Vec2 origin, Vec2 direction, Real maxFraction) {
     const Ray ray{toDouble(origin), toDouble(direction)};
     if (contains(polygon, ray.origin)) { return {.hit = true, .fraction = 0, .normal = {}, .point = origin}; }
     if (direction == Vec2{}) { return {}; }
@@ -200,6 +229,21 @@ RayCastHit rayCast(const Polygon& polygon, Vec2 origin, Vec2 direction, Real max
             .point = toReal(ray.origin + entry.fraction * ray.direction)};
 }
 
-bool containsPoint(const Polygon& polygon, Vec2 point) { return contains(polygon, toDouble(point)); }
+}  // namespace
+
+RayCastHit rayCast(const Polygon& polygon, Vec2 origin, Vec2 direction, Real maxFraction) {
+    if (kProductsMayOverflow && !(productsFit(largestOf(polygon, origin)) && productsFit(largestOf(direction)))) {
+        return castRescaled(polygon, origin, direction, maxFraction);
+    }
+    return cast(polygon, origin, direction, maxFraction);
+}
+
+bool containsPoint(const Polygon& polygon, Vec2 point) {
+    if (kProductsMayOverflow && !productsFit(largestOf(polygon, point))) {
+        const int scale = exponentOf(largestOf(polygon, point));
+        return contains(rescaled(polygon, -scale), toDouble(rescaled(point, -scale)));
+    }
+    return contains(polygon, toDouble(point));
+}
 
 }  // namespace swept::inline SWEPT_PRECISION
