@@ -1,6 +1,9 @@
 #include "convexity.h"
 
+#include <array>
 #include <cmath>
+
+#include "rescaling.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -24,6 +27,13 @@ bool onOneLine(std::span<const Vec2> points) {
 /// Directions of [0, π) against those of [π, 2π): a polygon that turns left once around changes between them twice, a
 /// star more often.
 bool pointsUp(DVec2 edge) { return edge.y > 0 || (edge.y == 0 && edge.x > 0); }
+
+/// What is huge or tiny, near 1.
+StatusCode judgeRescaled(std::span<const Vec2> vertices, double size) {
+    std::array<Vec2, kMaxPolygonVertices> near;
+    for (std::size_t i = 0; i < vertices.size(); ++i) { near[i] = rescaled(vertices[i], -exponentOf(size)); }
+    return judgeConvexity(std::span(near).first(vertices.size()));
+}
 
 }  // namespace
 
@@ -64,6 +74,10 @@ StatusCode judgeConvexity(std::span<const Vec2> vertices) {
         changes += pointsUp(in) != pointsUp(out) ? 1 : 0;
     }
     if (convex && changes == 2) { return StatusCode::ok; }
+    if (kProductsMayOverflow) {
+        const double size = largestOf(vertices);
+        if (!productsFit(size) && size > 0) { return judgeRescaled(vertices, size); }
+    }
     return onOneLine(vertices) ? StatusCode::degenerate : StatusCode::notConvex;
 }
 

@@ -22,7 +22,8 @@ double sizeOf(std::span<const Vec2> points);
 /// a needle may be close to that, and is yet what must stay.
 double heightOver(Vec2 p, Vec2 q, Vec2 r);
 
-/// ok, `notConvex`, or `degenerate` (all points within rounding of one line) for 3 or more finite vertices.
+/// ok, `notConvex`, or `degenerate` (all points within rounding of one line) for 3 to 8 finite vertices whose edges
+/// are finite, however large or small.
 StatusCode judgeConvexity(std::span<const Vec2> vertices);
 
 }  // namespace swept::inline SWEPT_PRECISION

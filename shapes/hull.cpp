@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "convexity.h"
+#include "rescaling.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -103,6 +104,19 @@ std::vector<Vec2> sortedPoints(std::span<const Vec2> points) {
     return sorted;
 }
 
+/// Of what is huge or tiny, found near 1. (What is 2⁻¹⁰⁰⁰ of the largest coordinate may lose digits.)
+Result<Polygon> hullOfRescaled(std::span<const Vec2> points, int exponent, Real radius) {
+    std::vector<Vec2> near;
+    near.reserve(points.size());
+    for (const Vec2 point : points) { near.push_back(rescaled(point, -exponent)); }
+    const Result<Polygon> hull = convexHull(near, 0);
+    if (!hull.ok()) { return hull; }
+    Polygon polygon = hull.value();
+    for (Vec2& v : polygon.vertices) { v = rescaled(v, exponent); }
+    const Result<Polygon> whole = makePolygon(polygon.points(), radius);
+    return whole.ok() ? whole : Status{whole.status().code, "points"};
+}
+
 }  // namespace
 
 Result<Polygon> convexHull(std::span<const Vec2> points, Real radius) {
@@ -113,6 +127,10 @@ Result<Polygon> convexHull(std::span<const Vec2> points, Real radius) {
     if (!isFinite(radius)) { return Status{StatusCode::notFinite, "radius"}; }
     if (radius < 0) { return Status{StatusCode::negative, "radius"}; }
 
+    if (kProductsMayOverflow) {
+        const double size = largestOf(points);
+        if (!productsFit(size) && size > 0) { return hullOfRescaled(points, exponentOf(size), radius); }
+    }
     const std::vector<Vec2> sorted = sortedPoints(points);
     if (sorted.size() < 3) { return Status{StatusCode::degenerate, "points"}; }
     std::vector<Vec2> hull = Pruner(strictHull(sorted), kSmallestHeight * sizeOf(sorted)).run();

@@ -5,6 +5,7 @@
 
 #include "convexity.h"
 #include "lanes.h"
+#include "rescaling.h"
 #include "rounding.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -139,13 +140,10 @@ Status validate(const Polygon& polygon) {
     return checkNormals(polygon);
 }
 
-Real extentOf(const Polygon& polygon) {
-    const double rounding = 2 * static_cast<double>(polygon.radius);
-    if (polygon.count == 1) { return static_cast<Real>(rounding); }
-    if (polygon.count == 2) {
-        const double span = length(toDouble(polygon.vertices[1]) - toDouble(polygon.vertices[0]));
-        return static_cast<Real>(rounding > 0 ? rounding : span);
-    }
+namespace {
+
+/// Smallest width of a core of three or more vertices.
+double widthOf(const Polygon& polygon) {
     // The smallest width of a convex polygon is taken with one edge flush (Toussaint 1983).
     double smallest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < polygon.count; ++i) {
@@ -155,7 +153,33 @@ Real extentOf(const Polygon& polygon) {
         for (const Vec2 v : polygon.points()) { farthest = std::fmax(farthest, cross(edge, toDouble(v) - start)); }
         smallest = std::fmin(smallest, farthest / length(edge));
     }
-    return static_cast<Real>(smallest + rounding);
+    return smallest;
+}
+
+/// Where products leave the range of double.
+double widthOfRescaled(const Polygon& polygon) {
+    const int exponent = exponentOf(largestOf(polygon.points()));
+    Polygon near = polygon;
+    for (Vec2& v : near.vertices) { v = rescaled(v, -exponent); }
+    constexpr double kMost = std::numeric_limits<double>::max();
+    return std::fmin(std::ldexp(widthOf(near), exponent), kMost);
+}
+
+}  // namespace
+
+Real extentOf(const Polygon& polygon) {
+    const double rounding = 2 * static_cast<double>(polygon.radius);
+    if (polygon.count == 1) { return static_cast<Real>(rounding); }
+    if (polygon.count == 2) {
+        const Vec2 edge = polygon.vertices[1] - polygon.vertices[0];
+        if (rounding > 0) { return static_cast<Real>(rounding); }
+        return kProductsMayOverflow && !productsFit(largestOf(edge))
+                   ? normalized(edge).length
+                   : static_cast<Real>(length(toDouble(polygon.vertices[1]) - toDouble(polygon.vertices[0])));
+    }
+    double width = widthOf(polygon);
+    if (kProductsMayOverflow && !productsFit(width)) { width = widthOfRescaled(polygon); }
+    return static_cast<Real>(width + rounding);
 }
 
 Aabb boundsOf(const Polygon& polygon, const WorldTransform& pose) { return boundsOf(polygon, pose, {}, 0); }

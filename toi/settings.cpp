@@ -31,16 +31,45 @@ double widthOf(const ToiPolygon& polygon) {
     return width;
 }
 
+double largestOf(const ToiPolygon& polygon) {
+    double largest = 0;
+    for (int i = 0; i < polygon.count; ++i) {
+        const DVec2 v = vertex(polygon, i);
+        largest = std::max({largest, std::fabs(v.x), std::fabs(v.y)});
+    }
+    return largest;
+}
+
+/// Where products of two coordinates, and with them widths, keep all their digits.
+bool productsFit(double size) {
+    constexpr double kLargest = 0x1p200;
+    return size <= kLargest && size >= 1 / kLargest;
+}
+
+/// What is huge or tiny, near 1. @return and the exponent of the power of two by which it was larger
+ToiPolygon nearOne(ToiPolygon polygon, int& exponent) {
+    (void)std::frexp(largestOf(polygon), &exponent);
+    for (DVec2& v : polygon.vertices) { v = {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent)}; }
+    return polygon;
+}
+
+double coreExtentOf(const ToiPolygon& polygon) {
+    const double width = widthOf(polygon);
+    if (productsFit(width) || !(largestOf(polygon) > 0)) { return width; }
+    int exponent = 0;
+    const ToiPolygon near = nearOne(polygon, exponent);
+    return std::ldexp(widthOf(near), exponent);
+}
+
 /// Smallest non-zero width, radius included; 0 for a point without radius.
 double extentOf(const ToiPolygon& polygon) {
-    const double core = polygon.count > 2 ? widthOf(polygon) : 0;
+    const double core = polygon.count > 2 ? coreExtentOf(polygon) : 0;
     if (core > 0 || polygon.radius > 0) { return core + 2 * polygon.radius; }
     return polygon.count == 2 ? length(edge(polygon, 0)) : 0;
 }
 
-/// Strictly convex and counter-clockwise, once around: every vertex lies to the left of every edge it is not on. Only
-/// signs are asked for, so the size of the polygon does not matter.
-bool isConvex(const ToiPolygon& polygon) {
+/// Strictly convex and counter-clockwise, once around: every vertex lies to the left of every edge it is not on.
+bool turnsLeft(const ToiPolygon& polygon) {
     for (int i = 0; i < polygon.count; ++i) {
         for (int ahead = 2; ahead < polygon.count; ++ahead) {
             const int j = (i + ahead) % polygon.count;
@@ -48,6 +77,14 @@ bool isConvex(const ToiPolygon& polygon) {
         }
     }
     return true;
+}
+
+/// Only signs are asked for, so the size of the polygon does not matter, once products are numbers.
+bool isConvex(const ToiPolygon& polygon) {
+    if (turnsLeft(polygon)) { return true; }
+    if (productsFit(largestOf(polygon))) { return false; }
+    int exponent = 0;
+    return turnsLeft(nearOne(polygon, exponent));
 }
 
 bool isFinite(const Sweep& sweep) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "families.h"
 
@@ -51,6 +52,25 @@ TEST(ToiInput, RefusesNumbersThatAreNone) {
     // Finite numbers whose differences are not.
     EXPECT_EQ(refusalOf([](Query& q) { q.sweepA.c0.x = 1.5e308, q.sweepB.c0.x = -1.5e308; }).code,
               StatusCode::outOfRange);
+}
+
+/// Also where products of two coordinates are no numbers.
+TEST(ToiInput, AcceptsPolygonsOfEverySize) {
+    const Query q = good();
+    ToiPolygon turned = q.a;  // no edge along an axis, so that products are differences
+    turned.vertices = {DVec2{0.1, 0}, DVec2{1, 0.3}, DVec2{-0.2, 1}};
+    for (const ToiPolygon& polygon : {q.a, turned}) {
+        const ToiSettings near = defaultToiSettings(polygon, polygon);
+        for (const int exponent : {-1000, -900, -520, -400, 400, 505, 520, 900, 1000}) {
+            ToiPolygon far = polygon;
+            for (DVec2& v : far.vertices) { v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent)}; }
+            far.radius = std::ldexp(far.radius, exponent);
+            EXPECT_TRUE(validateToiPolygon(far).ok()) << exponent;
+            EXPECT_EQ(defaultToiSettings(far, far).target, std::ldexp(near.target, exponent)) << exponent;
+            std::swap(far.vertices[0], far.vertices[1]);
+            EXPECT_EQ(validateToiPolygon(far).code, StatusCode::notConvex) << exponent;
+        }
+    }
 }
 
 TEST(ToiInput, RefusesBadPolygons) {
