@@ -8,6 +8,7 @@ Status validateNeighbour(const std::optional<Vec2>& neighbour, Vec2 end, bool lo
     if (!isFinite(*neighbour)) { return {StatusCode::notFinite, field}; }
     if (loop) { return {StatusCode::outOfRange, field}; }
     if (*neighbour == end) { return {StatusCode::degenerate, field}; }
+    if (!isFinite(*neighbour - end)) { return {StatusCode::notFinite, field}; }
     return Status::success();
 }
 
@@ -33,8 +34,10 @@ Status validateChain(std::span<const Vec2> points, bool loop, Real radius, const
     }
     for (std::size_t i = 1; i < points.size(); ++i) {
         if (points[i] == points[i - 1]) { return {StatusCode::degenerate, "points"}; }
+        if (!isFinite(points[i] - points[i - 1])) { return {StatusCode::notFinite, "points"}; }
     }
     if (loop && points.front() == points.back()) { return {StatusCode::degenerate, "points"}; }
+    if (loop && !isFinite(points.front() - points.back())) { return {StatusCode::notFinite, "points"}; }
     if (!isFinite(radius)) { return {StatusCode::notFinite, "radius"}; }
     if (radius < 0) { return {StatusCode::negative, "radius"}; }
     const Status before = validateNeighbour(neighbours.before, points.front(), loop, "before");

@@ -47,8 +47,8 @@ ClosedEnds closedEndsOf(const ChainSegment& segment);
 /// Number of segments of a chain of `pointCount` points.
 constexpr int chainSegmentCount(int pointCount, bool loop) { return loop ? pointCount : pointCount - 1; }
 
-/// Checks the points of a chain: at least 2 (loop: 3), all finite, no two consecutive ones equal, radius finite and ≥
-/// 0; neighbours finite, none equal to the end beside it, and none of a loop.
+/// Checks the points of a chain: at least 2 (loop: 3), all finite, and so the ways between them, no two consecutive
+/// ones equal, radius finite and ≥ 0; likewise the neighbours, none equal to the end beside it, and none of a loop.
 Status validateChain(std::span<const Vec2> points, bool loop, Real radius, const ChainNeighbours& neighbours = {});
 
 /// The i-th segment (0 ≤ i < chainSegmentCount) of a valid chain.

@@ -84,7 +84,13 @@ MassProperties massOf(const Polygon& polygon, Real density) {
     const DVec2 center = (1 / moments.area) * moments.first;
     const double perDensity = moments.second - moments.area * dot(center, center);
     const double weight = static_cast<double>(density);
-    return {weight * moments.area, origin + center, weight * std::fmax(perDensity, 0.0)};
+    // What rounding has made less than 0 is 0; what overflowed on the way stays NaN.
+    return {weight * moments.area, origin + center, weight * (perDensity < 0 ? 0 : perDensity)};
+}
+
+bool isWeighable(const MassProperties& properties) {
+    const bool resists = properties.inertia > 0 || (properties.mass == 0 && properties.inertia == 0);
+    return resists && std::isfinite(properties.mass) && std::isfinite(properties.inertia);
 }
 
 MassProperties combine(std::span<const MassProperties> parts) {
