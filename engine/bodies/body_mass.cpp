@@ -21,10 +21,9 @@ MassProperties massOfShapes(WorldState& world, const Body& body) {
     parts.clear();
     for (const std::uint32_t slot : body.shapes) { parts.push_back(world.shapeMasses[slot]); }
     const MassProperties sum = combine(parts);
-    // In double the fourth power of a length overflows within the range of lengths: what has no mass that is a number
-    // has none, so `step` refuses it.
-    const bool isSound = std::isfinite(sum.mass) && std::isfinite(sum.inertia) && isInRange(sum.center);
-    return isSound ? sum : MassProperties{};
+    // In double the fourth power of a length overflows within the range of lengths. `addShape` refuses one shape that
+    // is so large; what is so as a whole, or was added to a static body, has no mass, so `step` refuses it.
+    return isWeighable(sum) && isInRange(sum.center) ? sum : MassProperties{};
 }
 
 }  // namespace

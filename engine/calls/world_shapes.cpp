@@ -48,6 +48,16 @@ Status check(const ChainDef& def) {
          checkNumber(def.neighbours.after.value_or(Vec2{}), "after"), check(def.shape), checkSurfaces(def)});
 }
 
+/// Of one shape of a dynamic body. Only in f64 does what is in range weigh more, or less, than double can tell.
+Status checkMass(const Polygon& polygon, Real density) {
+    if constexpr (sizeof(Real) == sizeof(double)) {
+        if (density == 0 || (polygon.count == 2 && polygon.radius == 0)) { return Status::success(); }
+        const MassProperties mass = massOf(polygon, density);
+        if (!(mass.mass > 0) || !isWeighable(mass)) { return {StatusCode::outOfRange, "density"}; }
+    }
+    return Status::success();
+}
+
 /// All that may fail when memory runs out, before a shape is made, but for its proxy.
 void makeRoomForShape(WorldState& world, Body& body) {
     world.shapes.makeRoomForOne();
@@ -190,6 +200,10 @@ Result<ShapeId> World::addShape(BodyId body, const Polygon& polygon, const Shape
     if (!size.ok()) { return size; }
     const Status surface = check(def);
     if (!surface.ok()) { return surface; }
+    if (world.bodies[body.index].isDynamic()) {
+        const Status mass = checkMass(polygon, def.density);
+        if (!mass.ok()) { return mass; }
+    }
     Shape shape;
     shape.polygon = polygon;
     shape.def = def;
@@ -263,6 +277,10 @@ Status World::redefine(ShapeId id, const ShapeDef& def) {
     if (!good.ok()) { return good; }
     const ShapeDef before = world.shapes[id.index].def;
     const std::uint32_t body = world.shapes[id.index].body;
+    if (world.bodies[body].isDynamic()) {
+        const Status mass = checkMass(world.shapes[id.index].polygon, def.density);
+        if (!mass.ok()) { return mass; }
+    }
     std::vector<std::uint32_t> slots;
     listSlots(world, id.index, slots);
     const bool isToldApart = world.contactFilter != nullptr && def.userData != before.userData;
