@@ -66,9 +66,11 @@ Toi bruteForce(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, co
     considerEdgesOf(ofB, earliest);
     considerVertices(ofA, earliest);
 
-    if (budget.exhausted()) { return answerFrom(start, sweepA, ToiState::failed, budget.spent); }
-    const ToiState state = earliest.found() ? ToiState::hit : ToiState::separated;
-    return answerFrom(pair.poseAt(earliest.fraction(), cache), sweepA, state, budget.spent);
+    if (budget.exhausted()) { return answerFrom(start, sweepA, settings, ToiState::failed, budget.spent); }
+    const MethodLook before{start.fraction, start.distance.distance};
+    const MethodPose end = pair.poseAt(earliest.fraction(), cache);
+    return earliest.found() ? hitAfter(before, end, sweepA, settings, budget.spent)
+                            : answerFrom(end, sweepA, settings, ToiState::separated, budget.spent);
 }
 
 }  // namespace swept

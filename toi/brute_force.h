@@ -10,9 +10,9 @@ namespace swept {
 ///
 /// Radii and target shift the edges outwards; around vertices they make arcs, hence the pairs of vertices.
 /// @return as `timeOfImpact`, with the same certificate, but at the root itself to the last digits instead of somewhere
-///         in the tolerance (a curve that only touches counts from tolerance / 16 on). `failed` at fraction 0 when the
-///         budget of evaluations is spent, which takes hundreds of turns. `iterations` counts evaluations of one pair
-///         of features.
+///         in the tolerance (a curve that only touches counts from tolerance / 16 on); the bracket begins at fraction
+///         0. `failed` at fraction 0 when the budget of evaluations is spent, which takes hundreds of turns.
+///         `iterations` counts evaluations of one pair of features.
 /// Motion: complete, parabolas included.
 /// Source: what a textbook would do (for polyhedra: J. Canny, "Collision detection for moving polyhedra", 1986);
 /// subdivision with a bound on the second derivative as for any smooth function.

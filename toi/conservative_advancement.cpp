@@ -34,25 +34,27 @@ Toi conservativeAdvancement(const ToiPolygon& a, const Sweep& sweepA, const ToiP
     const double turning = turningApproach(pair);
     // Half of the tolerance ends the search, the other half is for rounding, as in `timeOfImpact`.
     const double closeEnough = settings.target + 0.5 * settings.tolerance;
+    MethodLook before{pose.fraction, pose.distance.distance};
     for (int steps = 1; steps <= kMaxAdvancementSteps; ++steps) {
         const double separation = pose.distance.distance;
-        if (separation <= settings.target) { return answerFrom(pose, sweepA, ToiState::hit, steps); }
+        if (separation <= settings.target) { return hitAfter(before, pose, sweepA, settings, steps); }
         const double rest = settings.tMax - pose.fraction;
-        if (!(rest > 0)) { return answerFrom(pose, sweepA, ToiState::separated, steps); }
+        if (!(rest > 0)) { return answerFrom(pose, sweepA, settings, ToiState::separated, steps); }
 
         const double gap = separation - settings.target;
         const double speed = turning + centersApproach(pair, pose, settings.tMax);
         const bool free = speed * rest <= gap;  // nothing more can happen, even from within the band
-        if (!free && separation <= closeEnough) { return answerFrom(pose, sweepA, ToiState::hit, steps); }
+        if (!free && separation <= closeEnough) { return hitAfter(before, pose, sweepA, settings, steps); }
         const double next = free ? settings.tMax : std::min(pose.fraction + gap / speed, settings.tMax);
         if (settings.observer != nullptr) {
-            const Toi here = answerFrom(pose, sweepA, ToiState::separated, 0);
+            const Toi here = answerFrom(pose, sweepA, settings, ToiState::separated, 0);
             settings.observer->onStep({here.fraction, here.separation, here.normal, here.pointA, here.pointB, next});
         }
-        if (!(next > pose.fraction)) { return answerFrom(pose, sweepA, ToiState::failed, steps); }
+        if (!(next > pose.fraction)) { return answerFrom(pose, sweepA, settings, ToiState::failed, steps); }
+        before = {pose.fraction, separation};
         pose = pair.poseAt(next, cache);
     }
-    return answerFrom(pose, sweepA, ToiState::failed, kMaxAdvancementSteps + 1);
+    return answerFrom(pose, sweepA, settings, ToiState::failed, kMaxAdvancementSteps + 1);
 }
 
 }  // namespace swept

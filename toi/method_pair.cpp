@@ -31,7 +31,8 @@ MethodPose MethodPair::poseAt(double fraction, SimplexCache& cache) const {
     return pose;
 }
 
-Toi answerFrom(const MethodPose& pose, const Sweep& sweepA, ToiState state, int iterations) {
+Toi answerFrom(const MethodPose& pose, const Sweep& sweepA, const ToiSettings& settings, ToiState state,
+               int iterations) {
     const DVec2 origin = centerAt(sweepA, pose.fraction);
     const auto toWorld = [&pose](Vec2 v) { return toDouble(rotate(pose.rotationA, v)); };
     Toi toi;
@@ -41,13 +42,26 @@ Toi answerFrom(const MethodPose& pose, const Sweep& sweepA, ToiState state, int 
     toi.normal = toWorld(pose.distance.normal);
     toi.pointA = origin + toWorld(pose.distance.pointA);
     toi.pointB = origin + toWorld(pose.distance.pointB);
+    toi.target = settings.target;
+    toi.fractionLower = toi.fraction;
+    toi.separationLower = toi.separation;
     toi.iterations = iterations;
     return toi;
 }
 
+Toi hitAfter(const MethodLook& before, const MethodPose& pose, const Sweep& sweepA, const ToiSettings& settings,
+             int iterations) {
+    Toi toi = answerFrom(pose, sweepA, settings, ToiState::hit, iterations);
+    if (before.fraction < toi.fraction) {
+        toi.fractionLower = before.fraction;
+        toi.separationLower = before.separation;
+    }
+    return toi;
+}
+
 std::optional<Toi> answerAtStart(const MethodPose& pose, const Sweep& sweepA, const ToiSettings& settings) {
-    if (pose.distance.coreDistance <= 0) { return answerFrom(pose, sweepA, ToiState::overlapped, 1); }
-    if (pose.distance.distance <= settings.target) { return answerFrom(pose, sweepA, ToiState::hit, 1); }
+    if (pose.distance.coreDistance <= 0) { return answerFrom(pose, sweepA, settings, ToiState::overlapped, 1); }
+    if (pose.distance.distance <= settings.target) { return answerFrom(pose, sweepA, settings, ToiState::hit, 1); }
     return std::nullopt;
 }
 

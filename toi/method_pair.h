@@ -25,6 +25,12 @@ struct MethodPose {
     Distance distance;
 };
 
+/// What was seen at one fraction: there the pair is still apart.
+struct MethodLook {
+    double fraction;
+    double separation;  ///< above the target, metres
+};
+
 /// Two polygons and their motion, for the methods beside the certified one. These show what an idea costs, so they
 /// stand on the plain distance function; `MovingPair` is tuned for one search and changes with it.
 struct MethodPair {
@@ -41,8 +47,13 @@ struct MethodPair {
     MethodPose poseAt(double fraction, SimplexCache& cache) const;
 };
 
-/// The answer that a pose gives: separation, normal and witness points of that very pose, in the world.
-Toi answerFrom(const MethodPose& pose, const Sweep& sweepA, ToiState state, int iterations);
+/// The answer that a pose gives: separation, normal and witness points of that very pose, in the world; the target of
+/// the settings, and no bracket (its other end is that pose, too).
+Toi answerFrom(const MethodPose& pose, const Sweep& sweepA, const ToiSettings& settings, ToiState state,
+               int iterations);
+/// A hit with a bracket: between the pose and what was looked at before it.
+Toi hitAfter(const MethodLook& before, const MethodPose& pose, const Sweep& sweepA, const ToiSettings& settings,
+             int iterations);
 
 /// What every method that looks at fraction 0 says there: `overlapped` where the cores intersect, a hit at 0 where the
 /// separation is within the target; nothing otherwise.

@@ -48,7 +48,7 @@ Toi rayCastToi(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, co
 
     SimplexCache cache;
     const MethodPose pose = pair.poseAt(hit ? part * settings.tMax : settings.tMax, cache);
-    return answerFrom(pose, sweepA, hit ? ToiState::hit : ToiState::separated, 2);
+    return answerFrom(pose, sweepA, settings, hit ? ToiState::hit : ToiState::separated, 2);
 }
 
 }  // namespace swept

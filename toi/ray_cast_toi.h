@@ -10,7 +10,7 @@ namespace swept {
 /// target, so it is exact for circles that do not turn about a point aside.
 ///
 /// @return `hit` at the fraction at which a ray enters (0 if it starts inside), with the pose of the whole motion
-///         there, which usually is already overlapping; else `separated`.
+///         there, which usually is already overlapping; else `separated`. No bracket.
 /// Motion: rotations ignored; parabolas replaced by their chord from fraction 0 to tMax.
 /// Source: folklore of games for bullets. Cost: two ray casts and one distance evaluation for the answer.
 /// Fails: misses all contacts that neither middle runs into (wide shapes that overlap by less than half), hits late by

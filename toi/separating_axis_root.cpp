@@ -128,27 +128,32 @@ Toi separatingAxisRoot(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygo
     MethodPose pose = pair.poseAt(0, cache);
     if (const auto atStart = answerAtStart(pose, sweepA, settings)) { return *atStart; }
 
+    MethodLook before{pose.fraction, pose.distance.distance};
     int iterations = 1;
     for (int axes = 0; axes < kMaxAxes; ++axes) {
         if (pose.distance.distance <= settings.target + settings.tolerance) {
-            return answerFrom(pose, sweepA, ToiState::hit, iterations);
+            return hitAfter(before, pose, sweepA, settings, iterations);
         }
         const AxisStep step = advanceAlong(HeldAxis(pair, pose, cache), pose.fraction, settings, iterations);
         switch (step.verdict) {
             case AxisVerdict::advanced:
-                if (!(step.fraction > pose.fraction)) { return answerFrom(pose, sweepA, ToiState::failed, iterations); }
+                if (!(step.fraction > pose.fraction)) {
+                    return answerFrom(pose, sweepA, settings, ToiState::failed, iterations);
+                }
+                before = {pose.fraction, pose.distance.distance};
                 pose = pair.poseAt(step.fraction, cache);
                 ++iterations;
                 break;
             case AxisVerdict::separated:
-                return answerFrom(pair.poseAt(step.fraction, cache), sweepA, ToiState::separated, iterations + 1);
+                return answerFrom(pair.poseAt(step.fraction, cache), sweepA, settings, ToiState::separated,
+                                  iterations + 1);
             case AxisVerdict::reached:
-                return answerFrom(pose, sweepA, ToiState::hit, iterations);
+                return hitAfter(before, pose, sweepA, settings, iterations);
             case AxisVerdict::failed:
-                return answerFrom(pose, sweepA, ToiState::failed, iterations);
+                return answerFrom(pose, sweepA, settings, ToiState::failed, iterations);
         }
     }
-    return answerFrom(pose, sweepA, ToiState::failed, iterations);
+    return answerFrom(pose, sweepA, settings, ToiState::failed, iterations);
 }
 
 }  // namespace swept

@@ -17,7 +17,8 @@ namespace swept {
 ///
 /// @return `hit` within target ± tolerance, `separated`, `overlapped` at the start, or `failed` when a loop runs out of
 ///         its budget. Not certified: no statement holds about the fractions before the reported one, `failed`
-///         included. `iterations` counts distance evaluations and evaluations along an axis.
+///         included; the bracket of a hit is that of the last axis, between two distances. `iterations` counts distance
+///         evaluations and evaluations along an axis.
 /// Motion: complete, parabolas included.
 /// Cost: typically two or three distance evaluations and a dozen along axes.
 /// Fails: `separated` is decided by one axis at one fraction; a vertex that dips in and comes out again before the end

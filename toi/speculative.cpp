@@ -30,7 +30,7 @@ Toi speculativeContact(const ToiPolygon& a, const Sweep& sweepA, const ToiPolygo
     const double approach = approachOf(pair, start, settings.tMax);
     const bool stops = approach * settings.tMax > gap;
     const double fraction = stops ? std::min(gap / approach, settings.tMax) : settings.tMax;
-    return answerFrom(pair.poseAt(fraction, cache), sweepA, stops ? ToiState::hit : ToiState::separated, 2);
+    return answerFrom(pair.poseAt(fraction, cache), sweepA, settings, stops ? ToiState::hit : ToiState::separated, 2);
 }
 
 }  // namespace swept

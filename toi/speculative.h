@@ -10,7 +10,7 @@ namespace swept {
 /// those two points, at the mean velocities of the step, uses up the gap.
 ///
 /// @return `hit` at the fraction at which the constraint stops the body, with the pose of the whole motion there;
-///         `separated` when the constraint does nothing. States at the start as in `timeOfImpact`.
+///         `separated` when the constraint does nothing. States at the start as in `timeOfImpact`. No bracket.
 /// Motion: the closest points move on straight lines, with their velocity of turning at the start; of the parabola only
 /// the mean velocity counts, as in a solver.
 /// Cost: two distance evaluations (start and answer).

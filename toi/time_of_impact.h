@@ -18,13 +18,15 @@ struct ToiPolygon {
 
 class ToiObserver;
 
-/// How much an answer tells beyond the event. The event (state, fraction, certificate, iterations) is the same for all.
-enum class ToiDetail : std::uint8_t {
-    event,  ///< of pairs that are separated at the end or overlap at the start no separation, normal, points, features
-            ///< (0)
-    contact,  ///< of pairs that overlap at the start none of these
-    depth,    ///< all
-};
+/// How much an answer tells beyond the event. The event (state, fraction, target, iterations, and the bracket of a hit)
+/// is the same for all. The contact (separation, normal, points, features, the bracket of other states) is told of
+/// these states, and else left as a new `Toi` has it:
+///
+///     detail    hit   failed   separated   overlapped
+///     event     yes   yes      no          no
+///     contact   yes   yes      yes         no
+///     depth     yes   yes      yes         yes
+enum class ToiDetail : std::uint8_t { event, contact, depth };
 
 /// Lengths in metres, fraction without unit.
 struct ToiSettings {

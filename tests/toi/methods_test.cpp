@@ -220,6 +220,32 @@ TEST(ToiMethods, StartTheSameWay) {
     }
 }
 
+/// The target is that of the settings; a bracket holds the hit, and is said to be none where a method has none.
+TEST(ToiMethods, TellTheirTargetAndBracket) {
+    const Query overlapping{box(1, 1), resting({0, 0}), box(1, 1), moving({1.5, 0}, {3, 0}), settings()};
+    const Query touching{box(1, 1), resting({0, 0}), box(1, 1), moving({2.005, 0}, {3, 0}), settings()};
+    Query turningDown = dippingBar();
+    turningDown.sweepB.a1 = -kPi / 2;
+    for (const Query& q : {ballThroughWall(2), ballThroughWall(-1), turningDown, overlapping, touching}) {
+        for (const ToiMethodInfo& info : kToiMethods) {
+            const Toi toi = by(info.method, q);
+            const bool hasBracket = info.method != ToiMethod::discrete && info.method != ToiMethod::rayCast &&
+                                    info.method != ToiMethod::speculative;
+            EXPECT_EQ(toi.target, kTarget) << info.name;
+            if (hasBracket && toi.state == ToiState::hit && toi.fraction > 0) {
+                EXPECT_LT(toi.fractionLower, toi.fraction) << info.name;
+                EXPECT_GT(toi.separationLower, kTarget) << info.name;
+                const bool isOfWholeMotion = info.method != ToiMethod::shapeCast || q.sweepB.a1 == q.sweepB.a0;
+                const double there = static_cast<double>(trueSeparation(q, toi.fractionLower));
+                if (isOfWholeMotion) { EXPECT_GE(there, toi.separationLower - 1e-12) << info.name; }
+            } else {
+                EXPECT_EQ(toi.fractionLower, toi.fraction) << info.name;
+                EXPECT_EQ(toi.separationLower, toi.separation) << info.name;
+            }
+        }
+    }
+}
+
 TEST(ToiMethods, StopAtTMax) {
     for (const ToiMethodInfo& info : kToiMethods) {
         Query q = ballThroughWall(2);
