@@ -9,15 +9,20 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// What lets a box be told from those that a sweep meets (`BoxSweep::firstTouch`) by a few products and no division, so
 /// that eight boxes can be asked at once. Never leaves out what is met; what it lets through is asked again, exactly.
+/// (In f64 where fractions are normal numbers: what is 2⁻¹⁰²² of the way apart may touch for `firstTouch` alone.)
 ///
 /// Two tests: against the box around the sweep up to the limit, and, on the axis across the motion, against the strip
-/// that the swept box covers (separating axes of a box and a segment).
+/// that the swept box covers (separating axes of a box and a segment). The second one is in units of four metres: so no
+/// sum in it leaves the range of `Real`, wherever the two boxes are.
 struct SweepFilter {
     Aabb around;  ///< metres; the sweep up to the limit, rounded outward
     // The strip |across · (center − middle)| ≤ reach, where `across` is at most 1 in each coordinate.
     Vec2 across;
-    Vec2 middle;     ///< metres; of the box at the start
+    Vec2 middle;     ///< of the box at the start
     Real reach = 0;  ///< half the strip's width times the length of `across`, what rounding may amount to included
+
+    /// From metres to halves of coordinates in the units of the strip.
+    static constexpr Real kHalf = Real(0.125);
 
     /// Rounding in the test of a box, as part of its coordinates: a dozen operations, each off by half an ulp at most.
     static constexpr Real kRounding = 16 * std::numeric_limits<Real>::epsilon();
@@ -28,10 +33,14 @@ struct SweepFilter {
         filter.around = aroundUpTo(sweep, limit);
         const double longest = std::fmax(std::fabs(by.x), std::fabs(by.y));
         if (longest > 0) { filter.across = {static_cast<Real>(-by.y / longest), static_cast<Real>(by.x / longest)}; }
-        const Vec2 half = toReal(0.5 * (sweep.upper() - sweep.lower()));
-        filter.middle = toReal(0.5 * sweep.lower() + 0.5 * sweep.upper());
+        const DVec2 lower = static_cast<double>(kHalf) * sweep.lower();
+        const DVec2 upper = static_cast<double>(kHalf) * sweep.upper();
+        const Vec2 half = toReal(upper - lower);
+        filter.middle = toReal(lower + upper);
+        // What a dozen operations may each be off by where their results are subnormal.
+        constexpr Real kLeast = (std::numeric_limits<Real>::min)();
         filter.reach = std::fabs(filter.across.x) * half.x + std::fabs(filter.across.y) * half.y +
-                       kRounding * (std::fabs(filter.middle.x) + std::fabs(filter.middle.y) + half.x + half.y);
+                       kRounding * (std::fabs(filter.middle.x) + std::fabs(filter.middle.y) + half.x + half.y) + kLeast;
         return filter;
     }
 

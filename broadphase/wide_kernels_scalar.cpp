@@ -35,10 +35,10 @@ public:
     std::uint32_t overlapping(const WideBoxes& boxes) const {
         std::uint32_t lanes = 0;
         for (std::uint32_t lane = 0; lane < kWide; ++lane) {
-            const Real lowerX = Real(0.5) * boxes.lowerX[lane];  // halved first, so that no sum overflows
-            const Real lowerY = Real(0.5) * boxes.lowerY[lane];
-            const Real upperX = Real(0.5) * boxes.upperX[lane];
-            const Real upperY = Real(0.5) * boxes.upperY[lane];
+            const Real lowerX = SweepFilter::kHalf * boxes.lowerX[lane];
+            const Real lowerY = SweepFilter::kHalf * boxes.lowerY[lane];
+            const Real upperX = SweepFilter::kHalf * boxes.upperX[lane];
+            const Real upperY = SweepFilter::kHalf * boxes.upperY[lane];
             const Real centerX = lowerX + upperX;
             const Real centerY = lowerY + upperY;
             const Real halfX = upperX - lowerX;
