@@ -145,7 +145,7 @@ std::string textOf(DVec2 vector) {
 std::string inQuotes(std::string_view text) {
     std::string result = "\"";
     std::size_t end = std::min(text.size(), kLongestQuote);
-    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) {
+    while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) {
         --end;
     }  // whole characters
     const std::string_view shown = text.substr(0, end);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "render_canvas.h"
 #include "render_options.h"
@@ -82,15 +83,21 @@ OverlayMetrics metricsOf(const SheetLayout& layout) {
     return OverlayMetrics(options);
 }
 
-/// A strip over all of the width of the sheet.
+/// A strip over all of the width of the sheet, in pieces where that is more than a picture may have.
 template <class Draw>
 bool drawStrip(Image& sheet, int top, int height, const Draw& draw, std::string& error) {
     if (height == 0) { return true; }
-    const std::unique_ptr<RenderCanvas> canvas = RenderCanvas::create(sheet.width, height, 3, error);
-    if (!canvas) { return false; }
     Paint paint(sheet.width, height);
     draw(paint);
-    blit(canvas->draw(kSheet, paint.triangles()), sheet, 0, top);
+    const int pieces = (sheet.width + kLargestPicture - 1) / kLargestPicture;
+    const int width = (sheet.width + pieces - 1) / pieces;
+    const std::unique_ptr<RenderCanvas> canvas = RenderCanvas::create(width, height, 3, error);
+    if (!canvas) { return false; }
+    std::vector<PaintVertex> triangles(paint.triangles().begin(), paint.triangles().end());
+    for (int left = 0; left < sheet.width; left += width) {
+        blit(canvas->draw(kSheet, triangles), sheet, left, top);
+        for (PaintVertex& vertex : triangles) { vertex.x -= static_cast<float>(width); }
+    }
     return true;
 }
 

@@ -77,6 +77,7 @@ void drawSweptPoses(Paint& paint, const PixelView& view, const SceneDrawing& sce
 
 void drawLostTimes(Paint& paint, const PixelView& view, const Frame& frame, double textHeight) {
     for (const WayFrame& way : frame.ways) {
+        if (way.poses.empty()) { continue; }
         const DVec2 p = view.toPixels(way.poses.back().position);
         if (!(way.lostSeconds > 0) || !isFinite(p) || !paint.box().contains(p)) { continue; }
         const std::string text = "lost " + fixedDecimals(1000 * way.lostSeconds, 1) + " ms";

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render_outline.h"
+
 namespace swept {
 
 namespace {
@@ -15,6 +17,8 @@ constexpr double kFarthest = 1e100;
 constexpr double kClipMargin = 8;
 /// Sides of a small disc: enough for the largest deviation from a circle to stay below a twentieth of a pixel.
 constexpr double kDiscTolerance = 0.05;
+/// Wider discs and lines are clipped: most of them is out of sight, and numbers of sides and pixels get out of hand.
+constexpr double kLargestPen = 16384;
 
 DVec2 clamped(DVec2 p) { return {std::clamp(p.x, -kFarthest, kFarthest), std::clamp(p.y, -kFarthest, kFarthest)}; }
 
@@ -153,6 +157,11 @@ void Paint::fillBox(const PixelBox& box, double cornerRadius, Color color) {
 
 void Paint::disc(DVec2 center, double radius, Color color) {
     if (!isFinite(center) || !box_.grownBy(radius).contains(center)) { return; }
+    if (radius > kLargestPen) {
+        const ShapeCore whole{{clamped(center)}, std::min(radius, kFarthest)};
+        fillConvex(roundedOutline(whole, box_.grownBy(kClipMargin)), color);
+        return;
+    }
     const int sides =
         std::max(8, static_cast<int>(std::ceil(std::numbers::pi * std::sqrt(radius / (2 * kDiscTolerance)))));
     DVec2 last = center + DVec2{radius, 0};
@@ -173,6 +182,11 @@ void Paint::line(DVec2 p, DVec2 q, double width, Color color) {
     const DVec2 side = width / 2 * normalOf(p, q);
     const DVec2 a = p + part.from * (q - p);
     const DVec2 b = p + part.to * (q - p);
+    if (width > kLargestPen) {
+        const std::array<DVec2, 4> band{a + side, a - side, b - side, b + side};
+        fillConvex(band, color);
+        return;
+    }
     triangle(a + side, a - side, b - side, color);
     triangle(a + side, b - side, b + side, color);
 }

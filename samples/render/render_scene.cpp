@@ -213,13 +213,17 @@ void SceneDrawing::drawSwept(Paint& paint, const PixelView& view, std::size_t bo
     // Opaque, so that the pieces of a turning sweep do not add up where they overlap.
     const Color tone = mix(style::kBackground, styleOf(body, true).fill, style::kSweptTone);
     const double turn = std::fabs(to.angle - from.angle);
-    const int pieces = std::clamp(static_cast<int>(std::ceil(turn / kSweptTurn)), 1, kMostSweptPieces);
+    // Clamped first: a body may turn by more than fits into an int.
+    const double wanted = std::clamp(std::ceil(turn / kSweptTurn), 1.0, static_cast<double>(kMostSweptPieces));
+    const auto pieces = static_cast<int>(wanted);
     const auto poseAt = [&](int i) {
         const double t = static_cast<double>(i) / pieces;
         return PixelPose(view, from.position + t * (to.position - from.position),
                          from.angle + t * (to.angle - from.angle));
     };
     for (const ShapeDrawing& shape : bodies_[body].shapes) {
+        // The hull of a chain is not what the chain sweeps (a drum is hollow), and a sensor stops nothing.
+        if (shape.sensor || shape.kind == Kind::chain) { continue; }
         for (int i = 0; i < pieces; ++i) {
             std::vector<DVec2> both = roundedOutline(coreInPixels(poseAt(i), shape.core), paint.box());
             const std::vector<DVec2> next = roundedOutline(coreInPixels(poseAt(i + 1), shape.core), paint.box());

@@ -167,6 +167,8 @@ TEST(Quotes, EscapeAndCutBetweenCharacters) {
     std::string umlauts = "x";
     for (int i = 0; i < 50; ++i) { umlauts += "ä"; }
     EXPECT_EQ(inQuotes(umlauts).substr(58), "ä…\"");  // 59 bytes kept: the 60th is the middle of a character
+    EXPECT_EQ(inQuotes(std::string(1000, '\x80')), "\"…\"") << "no character ends there";
+    EXPECT_EQ(inQuotes(std::string(10, '\x80')).size(), 12U) << "what is short stays";
 }
 
 TEST(ShortestNumber, IsShort) {
