@@ -88,8 +88,12 @@ void ManifoldBatch::collide() {
         pairs_.b[i] = pairs_.b[0];
         for (WidePairs::Lanes* const lanes :
              {&pairs_.c, &pairs_.s, &pairs_.x, &pairs_.y, &pairs_.points, &pairs_.nearest, &pairs_.radiusA,
-              &pairs_.radiusB, &pairs_.verticesA, &pairs_.verticesB, &pairs_.closedStart, &pairs_.closedEnd}) {
+              &pairs_.radiusB, &pairs_.verticesA, &pairs_.verticesB}) {
             (*lanes)[i] = (*lanes)[0];
+        }
+        if (kind_ == PairKind::chain) {  // nobody else has ends
+            pairs_.closedStart[i] = pairs_.closedStart[0];
+            pairs_.closedEnd[i] = pairs_.closedEnd[0];
         }
     }
     const auto most = [](const WidePairs::Lanes& counts) {
