@@ -65,12 +65,13 @@ bool BlockLdlt::analyse(std::uint32_t nodes, std::span<const BlockEdge> edges, s
 bool BlockLdlt::analyse(std::span<const NodeRange> parts, std::span<const BlockEdge> edges, std::size_t mostBlocks) {
     const auto isSame = [](const BlockEdge& x, const BlockEdge& y) { return x.a == y.a && x.b == y.b; };
     const auto isSamePart = [](const NodeRange& x, const NodeRange& y) { return x.begin == y.begin && x.end == y.end; };
-    if (std::equal(parts.begin(), parts.end(), parts_.begin(), parts_.end(), isSamePart) &&
+    if (mostBlocks == mostBlocks_ && std::equal(parts.begin(), parts.end(), parts_.begin(), parts_.end(), isSamePart) &&
         std::equal(edges.begin(), edges.end(), edges_.begin(), edges_.end(), isSame)) {
         return fits_;
     }
     edges_.assign(edges.begin(), edges.end());
     parts_.assign(parts.begin(), parts.end());
+    mostBlocks_ = mostBlocks;
     const std::uint32_t nodes = parts.empty() ? 0 : parts.back().end;
     if (neighbours_.size() < nodes) { neighbours_.resize(nodes); }
     for (std::uint32_t i = 0; i < nodes; ++i) { neighbours_[i].clear(); }

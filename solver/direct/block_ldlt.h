@@ -29,7 +29,8 @@ struct NodeRange {
 /// fill, in time proportional to the number of nodes. The order depends on the edges alone.
 class BlockLdlt {
 public:
-    /// Order and places of all blocks. Costs nothing when nodes and edges are those of the last call.
+    /// Order and places of all blocks. Costs nothing when nodes, edges and `mostBlocks` are those of the last
+    /// call.
     /// @param mostBlocks  the factor may have no more blocks below the diagonal
     /// @return false when it would; the matrix is then not to be used
     bool analyse(std::uint32_t nodes, std::span<const BlockEdge> edges, std::size_t mostBlocks);
@@ -78,6 +79,7 @@ private:
 
     std::vector<BlockEdge> edges_;  ///< of the last analysis
     std::vector<NodeRange> parts_;  ///< likewise
+    std::size_t mostBlocks_ = 0;    ///< likewise
     bool fits_ = false;
     std::vector<std::vector<std::uint32_t>> neighbours_;  ///< by node, those not yet eliminated; scratch
     std::vector<std::uint32_t> merged_;

@@ -127,6 +127,8 @@ TEST(BlockLdlt, RefusesMoreBlocksThanAllowedAndRecovers) {
     BlockLdlt matrix;
     EXPECT_FALSE(matrix.analyse(10, all, 44));
     EXPECT_FALSE(matrix.analyse(10, all, 44)) << "asked again";
+    EXPECT_TRUE(matrix.analyse(10, all, 45)) << "as many as it takes";
+    EXPECT_FALSE(matrix.analyse(10, all, 44));
     EXPECT_TRUE(matrix.analyse(10, std::vector<BlockEdge>(all.begin(), all.begin() + 9), 44));
     EXPECT_EQ(matrix.blockCount(), 9U);
 }
