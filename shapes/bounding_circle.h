@@ -11,7 +11,9 @@ struct Circle {
     Real radius = 0;  ///< metres, at least 0
 };
 
-/// Touching circles overlap.
+/// Touching circles overlap, but for rounding: it may tell wrongly of circles whose distance is that of their radii to
+/// within 2 eps. Squares beyond the range of `Real` are infinite or 0, and what both sides are so of overlaps: lengths
+/// are to be between some 10⁻¹⁹ and 10¹⁹ m (in f64 10⁻¹⁵⁴ and 10¹⁵⁴).
 constexpr bool overlaps(const Circle& a, const Circle& b) {
     return lengthSquared(b.center - a.center) <= square(a.radius + b.radius);
 }
