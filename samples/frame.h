@@ -107,7 +107,7 @@ struct NamedNumber {
 struct LostTime {
     int body = 0;
     double seconds = 0;
-    std::string reason;  ///< "budget", "stuck", "cap"
+    std::string reason;  ///< "stop", "budget", "stuck", "clamp", "speedLimit"
 };
 
 /// Between which bodies of the scene the deepest overlap was, and when.

@@ -45,8 +45,8 @@ inline constexpr double kLargestSceneNumber = 3e38;
 
 /// What the format and the physics demand beyond syntax: names, ranges, geometry, masses, joint bodies.
 /// @param largest  bound on every number; its inverse bounds from below what must be greater than 0. With the default
-/// every
-///                 accepted scene can be held in single precision; a scene for f64 only may be given a larger one.
+///                 every accepted scene can be held in single precision; a scene for f64 only may be given a larger
+///                 one.
 /// @return nothing, or the first error in document order (`file` empty).
 std::optional<SceneError> validateScene(const SceneDescription& scene, double largest = kLargestSceneNumber);
 

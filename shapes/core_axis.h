@@ -36,8 +36,8 @@ struct CoreAxis {
     int supportB = 0;
 };
 /// @param preference  a face of A is taken even if a face of B is better by up to this fraction of the shorter of the
-/// two
-///                    faces; 0 gives the minimum translation.
+///                    two faces; 0 gives the minimum translation, along the axis of the largest separation, whoever
+///                    owns its face.
 CoreAxis coreAxis(const PairView& pair, double preference = 0);
 
 /// Of either shape; of a point, none.

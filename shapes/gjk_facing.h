@@ -24,8 +24,8 @@ class FacingVertexOf {
     using BitLanes = LanesOf<Bits, kLanes>;
 
 public:
-    /// @return an index; of vertices that are level but for the last three bits,
-    /// any.
+    /// Index of the farthest vertex along `direction`. Projections that differ in their last three bits only (these
+    /// bits carry the index) count as equal; then any of them.
     SWEPT_FORCE_INLINE static int along(const Polygon& p, Vec2 direction) {
         const T* const v = &p.vertices[0].x;
         const Bits n = p.count;

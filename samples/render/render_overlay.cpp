@@ -45,8 +45,8 @@ void swatch(Paint& paint, DVec2 center, double size, const LegendEntry& entry, d
     const PixelBox box{center - 0.5 * DVec2{size, size}, center + 0.5 * DVec2{size, size}};
     const std::array<DVec2, 4> corners{{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}};
     if (entry.dashed || entry.outlineOnly) {
-        if (entry.dashed) { paint.fillConvex(corners, entry.fill); }
         if (entry.dashed) {
+            paint.fillConvex(corners, entry.fill);
             paint.dashed(corners, true, 1.2 * pen, 3 * pen, 2.2 * pen, entry.edge);
         } else {
             paint.polyline(corners, true, 1.5 * pen, entry.edge);

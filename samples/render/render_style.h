@@ -13,7 +13,6 @@ inline constexpr Color kBackground = rgb(0xFAFAFA);
 inline constexpr Color kGridFine = rgb(0xEFF1F3);
 inline constexpr Color kGridCoarse = rgb(0xE1E4E9);
 inline constexpr Color kText = rgb(0x2F343B);
-inline constexpr Color kFaintText = rgb(0x69717C);
 inline constexpr Color kPanel = withAlpha(rgb(0xFFFFFF), 205);
 inline constexpr Color kJoint = rgb(0x3D434C);
 inline constexpr Color kContact = rgb(0xC2255C);

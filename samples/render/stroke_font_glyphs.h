@@ -6,7 +6,8 @@ namespace swept {
 
 /// One letter: its width and its path, in units of a twentieth of a capital letter, y up from the base line.
 /// Path: `M x y` begins a stroke, `L x y` continues it, `A cx cy rx ry from to` continues (or begins) it with an
-/// elliptic arc between two angles in degrees, `Z` closes it, `N` ends it.
+/// elliptic arc between two angles in degrees, `Z` closes it; `M`, or an `A` after
+/// `Z`, begins the next one.
 struct GlyphPath {
     char32_t letter;
     double width;

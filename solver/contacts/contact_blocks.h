@@ -8,7 +8,8 @@
 namespace swept::inline SWEPT_PRECISION {
 
 /// The contacts of a solve as the kernels want them (`ContactLayout`). Impulses of what stands in blocks are there from
-/// `build` to `readBack`, and old in the batch (or with the store of its contacts).
+/// `build` to `readBack`, and old in the batch (or with the store of its contacts). A colour is cut where the contacts
+/// of the second half of the bodies begin (`ContactLayout` shows the order).
 class ContactBlocks {
 public:
     struct BuildSettings {
@@ -20,10 +21,9 @@ public:
     int blockCount() const { return static_cast<int>(layout_.one().count() + layout_.two().count()); }
     /// As `ContactLayout::join`.
     bool join(int colour, int next) { return layout_.join(colour, next); }
-    bool hasBlocks(int colour) const { return layout_[colour].hasBlocks(); }
     /// Blocks, and contacts on their own, of a colour. Those of a range may be solved beside those of another one.
     std::size_t countOf(int colour) const { return layout_[colour].count(); }
-    /// Of these those that meet the first half of the bodies.
+    /// Of these those of the first half of the bodies.
     std::size_t middleOf(int colour) const { return layout_[colour].middle(); }
     /// @param cut  of the parts of the colour
     void warmStart(SolverBatch& batch, int colour, RangeCut cut);

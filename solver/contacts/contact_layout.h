@@ -17,8 +17,9 @@ namespace swept::inline SWEPT_PRECISION {
 /// Blocks of contacts that have as many points there, colour by colour.
 struct BlockRow {
     RawVector<std::uint8_t> lanes;    ///< in use, by block
-    std::vector<ColourRange> halves;  ///< of colours, those of the first half of the bodies first
-    std::size_t middle = 0;           ///< blocks of the first half
+    std::vector<ColourRange> halves;  ///< for each colour its blocks of the first half of the bodies, then for each the
+                                      ///< others
+    std::size_t middle = 0;           ///< how many blocks are of the first half
 
     std::size_t count() const { return lanes.size(); }
     /// Goes through all on several workers, each of which meets the same bodies as in the solve, if it can.
@@ -28,9 +29,15 @@ struct BlockRow {
 };
 
 /// Where the contacts of a solve stand: of each colour what fills blocks, by number of points, and the rest one by one.
-/// In each colour contacts among the first half of the bodies come first, and those of the second half last: so two
-/// workers that keep to their ends of the colours mostly meet bodies that they had before. (What another one wrote
-/// takes longer to fetch than to solve.)
+/// What is halved are the bodies of the batch, by their places; a contact is of the first half if both its bodies are.
+/// In the blocks of a colour, contacts of the first half come first, and those of the second half last:
+///
+///     of two points   1st half → | ← 2nd half     where the bar is, `middle`, a block may hold contacts of both;
+///     of one point    1st half → | ← 2nd half     each half is counted from its own end
+///     the rest        as listed, cut in the middle of their number
+///
+/// So two workers that keep to their ends of the colours mostly meet bodies that they had before. (What another one
+/// wrote takes longer to fetch than to solve.)
 class ContactLayout {
 public:
     /// What kind of place a contact gets within its colour: where there are blocks, by its points there.
@@ -46,7 +53,7 @@ public:
         bool hasBlocks() const { return two.begin < two.end || one.begin < one.end; }
         /// Blocks, and contacts on their own.
         std::size_t count() const { return (two.end - two.begin) + (one.end - one.begin) + (rest.end - rest.begin); }
-        /// Of these those that meet the first half of the bodies.
+        /// Of these those of the first half of the bodies.
         std::size_t middle() const {
             return (middleOfTwo - two.begin) + (middleOfOne - one.begin) + (rest.end - rest.begin) / 2;
         }

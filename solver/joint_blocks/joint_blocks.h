@@ -16,8 +16,7 @@ namespace swept::inline SWEPT_PRECISION {
 /// rest one by one. Impulses and totals of what stands in blocks are there from `build` to `readBack`, and old in the
 /// batch.
 /// @tparam Sort  names `Constraint`, its wide `Block`, and `Kernels`; `constraintsOf(batch)`, `kernels()`, the kind of
-/// a
-///               constraint among the blocks, and how a block is emptied, and a lane filled and taken back
+///               a constraint among the blocks, and how a block is emptied, and a lane filled and taken back
 template <class Sort>
 class JointBlocks {
 public:

@@ -22,8 +22,6 @@ public:
 
 private:
     void list(SolverBatch& batch);
-    void addBodies(const SolverBatch& batch);
-    void addJoints(SolverBatch& batch, Real h);
     std::uint32_t bodyOf(const SolverBatch& batch, std::uint32_t part, BodySlot slot);
     void reserveFlows(std::size_t workers);
     void readBack(SolverBatch& batch, int subSteps);

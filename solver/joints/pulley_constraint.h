@@ -7,7 +7,7 @@
 namespace swept::inline SWEPT_PRECISION {
 
 /// A rope from A's anchor up to a fixed wheel, over to another one, and down to B's anchor: lengthA + ratio·lengthB is
-/// at most `total`. The rope pulls and never pushes.
+/// at most `totalLength`. The rope pulls and never pushes.
 struct PulleyConstraint : JointConstraint {
     Vec2 offsetA;  ///< centre of A minus its wheel at the start of the step, metres
     Vec2 offsetB;
