@@ -85,7 +85,10 @@ MassProperties massOf(const Polygon& polygon, Real density) {
     const double perDensity = moments.second - moments.area * dot(center, center);
     const double weight = static_cast<double>(density);
     // What rounding has made less than 0 is 0; what overflowed on the way stays NaN.
-    return {weight * moments.area, origin + center, weight * (perDensity < 0 ? 0 : perDensity)};
+    const MassProperties properties{weight * moments.area, origin + center, weight * (perDensity < 0 ? 0 : perDensity)};
+    // What weighs nothing does so at any size.
+    const bool isNumber = std::isfinite(properties.inertia) && isFinite(properties.center);
+    return weight > 0 || isNumber ? properties : MassProperties{0, origin, 0};
 }
 
 bool isWeighable(const MassProperties& properties) {
