@@ -20,6 +20,9 @@ struct AddedProxy {
     bool isWhole = false;
 };
 
+/// Whether a query may be asked as it is: no copy of its box is made.
+constexpr bool isUsual(const Aabb& box) { return isAskable(box) && askedAs(box).upper.x == box.upper.x; }
+
 }  // namespace
 
 Result<ProxyId> TableBroadphase::insert(const Aabb& box, ProxyKind kind) {
@@ -112,11 +115,19 @@ void TableBroadphase::pairs(std::vector<ProxyPair>& out, TaskSystem& loops) {
 }
 
 void TableBroadphase::query(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
-    if (isAskable(box)) { queryTests_.add(visitOverlaps(askedAs(box), visit)); }
+    if (isUsual(box)) {
+        queryTests_.add(visitOverlaps(box, visit));
+    } else if (isAskable(box)) {
+        queryTests_.add(visitOverlaps(askedAs(box), visit));
+    }
 }
 
 void TableBroadphase::queryGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
-    if (isAskable(box)) { queryTests_.add(visitGround(askedAs(box), visit)); }
+    if (isUsual(box)) {
+        queryTests_.add(visitGround(box, visit));
+    } else if (isAskable(box)) {
+        queryTests_.add(visitGround(askedAs(box), visit));
+    }
 }
 
 void TableBroadphase::queryDynamic(std::span<const Aabb> boxes, FunctionRef<void(std::size_t, ProxyId)> visit) const {
