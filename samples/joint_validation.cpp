@@ -165,9 +165,10 @@ private:
 
     bool checkJoint(const DistanceDescription& joint, const Place& place) {
         const bool together = joint.anchorA == joint.anchorB;
-        if (together && !joint.length && !joint.maxLength) {
-            return fail(place.at("anchorB"), "must differ from anchorA " + textOf(joint.anchorA) +
-                                                 ", or \"length\" or \"maxLength\" be given");
+        const bool isSprung = joint.hertz.has_value();  // a spring of no length has no direction
+        if (together && !joint.length && (isSprung || !joint.maxLength)) {
+            return fail(place.at("anchorB"), "must differ from anchorA " + textOf(joint.anchorA) + ", or \"length\" " +
+                                                 (isSprung ? "be given" : "or \"maxLength\" be given"));
         }
         return checkOrder(joint.minLength, joint.maxLength, place.at("maxLength"), "minLength") &&
                checkOrder(joint.minLength, joint.length, place.at("length"), "minLength") &&

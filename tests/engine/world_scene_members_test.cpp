@@ -235,7 +235,7 @@ TEST(WorldScene, HasAllThatARandomSceneHas) {
     EXPECT_GT(tried, someOf(500));
     EXPECT_LT(flat, tried / 2);
     for (int type = 0; type <= static_cast<int>(JointType::filter); ++type) {
-        EXPECT_GT(kinds[static_cast<JointType>(type)], someOf(15)) << "kind " << type;
+        EXPECT_GT(kinds[static_cast<JointType>(type)], someOf(12)) << "kind " << type;
     }
 }
 
@@ -282,7 +282,6 @@ TEST(WorldScene, OfNumbersThatScenesDoNotHave) {
     must(world.createJoint(rope));
     rope.length = real(0);
     rope.limits = LengthLimits{0, 1};
-    rope.spring = Spring{2, 0};
     must(world.createJoint(rope));
     (void)must(world.createBody({.type = BodyType::dynamic, .enabled = false}));
     (void)must(world.createBody({.type = BodyType::dynamic, .mass = 2}));

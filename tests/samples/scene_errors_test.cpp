@@ -345,6 +345,9 @@ TEST(SceneErrors, Joints) {
         {joint(kRod + R"(, "length": 3, "maxLength": 2)"), "/joints/0/maxLength", "2 is below length 3"},
         {joint(R"("type": "distance", "bodyA": "floor", "bodyB": "ball", "anchorA": [0, 1], "anchorB": [0, 1])"),
          "/joints/0/anchorB", "must differ from anchorA [0, 1]"},
+        {joint(R"("type": "distance", "bodyA": "floor", "bodyB": "ball", "anchorA": [0, 1], "anchorB": [0, 1],
+                  "maxLength": 2, "hertz": 3)"),
+         "/joints/0/anchorB", "must differ from anchorA [0, 1], or \"length\" be given"},
     });
 }
 
