@@ -19,7 +19,7 @@ constexpr std::size_t kOne = 1;
 bool isOrdinary(Real coordinate) { return std::fabs(coordinate) <= kLargestShift; }
 
 /// Which row, or column, of `RoundPairKernels`. @param most  vertices, few
-std::size_t sideOf(std::size_t most) { return most <= kTwo ? most - kOne : kTwo; }
+[[maybe_unused]] std::size_t sideOf(std::size_t most) { return most <= kTwo ? most - kOne : kTwo; }
 
 /// Null where there are none.
 CollidePairs kernelFor([[maybe_unused]] PairKind kind, [[maybe_unused]] std::size_t mostA,
