@@ -4,8 +4,8 @@
 #include "../shapes/wide_targets.h"
 
 #ifndef SWEPT_SIMD_FEW
-// AVX-512 besides: eight floats fill a register of AVX2. (For ten thousand boxes queries and rays took the same with and
-// without it to within 6 %, in double rays 2 to 6 % less with it; pairs scattered by up to 30 %, without a winner.)
+// AVX-512 besides: eight floats fill a register of AVX2. (For ten thousand boxes queries and rays took the same with
+// and without it to within 6 %, in double rays 2 to 6 % less with it; pairs scattered by up to 30 %, without a winner.)
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_AVX3 | HWY_AVX3_DL)
 #endif
