@@ -278,7 +278,7 @@ Status World::redefine(ShapeId id, const ShapeDef& def) {
     const ShapeDef before = world.shapes[id.index].def;
     const std::uint32_t body = world.shapes[id.index].body;
     if (world.bodies[body].isDynamic()) {
-        const Status mass = checkMass(world.shapes[id.index].polygon, def.density);
+        const Status mass = checkMass(givenPolygon(world.shapes[id.index]), def.density);
         if (!mass.ok()) { return mass; }
     }
     std::vector<std::uint32_t> slots;
