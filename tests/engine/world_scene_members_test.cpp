@@ -199,7 +199,7 @@ TEST(WorldScene, HasAllThatARandomSceneHas) {
     int tried = 0;
     int flat = 0;
     std::map<JointType, int> kinds;
-    for (std::uint64_t seed = 0; seed < someOf(1200U); ++seed) {
+    for (std::uint64_t seed = 0; seed < someOf(1400U); ++seed) {
         const SceneDescription scene = SceneMaker(seed).make();
         SceneWorld built;
         std::string error;
@@ -235,7 +235,7 @@ TEST(WorldScene, HasAllThatARandomSceneHas) {
     EXPECT_GT(tried, someOf(500));
     EXPECT_LT(flat, tried / 2);
     for (int type = 0; type <= static_cast<int>(JointType::filter); ++type) {
-        EXPECT_GT(kinds[static_cast<JointType>(type)], someOf(12)) << "kind " << type;
+        EXPECT_GT(kinds[static_cast<JointType>(type)], someOf(15)) << "kind " << type;
     }
 }
 
