@@ -62,7 +62,8 @@ constexpr double kSwingOfSag = 4;
 /// Moving masses on joints farther apart than this need shorter sub-steps. A light link that the heavy body swings past
 /// whips round with a speed that goes by the root of the ratio, and joints are closed to the second order in the turn
 /// of a sub-step: beyond half a radian that tears them. `swept envelope`, map "chain": 16 sub-steps hold 560 : 1, not
-/// 1000 : 1; with 32 that, too, tore when it swung for ten seconds.
+/// 1000 : 1; with 32 that, too, tore when it swung for ten seconds. What hangs at the end, as an antenna on a car, or
+/// lies loose on it is no such link: nothing swings past it.
 constexpr Real kWhipRatio = 128;
 
 /// From `fewest` on, until the sub-steps are short enough for the thinnest body.
@@ -162,7 +163,7 @@ DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps
 /// Half as long for four times the ratio; never for what is at rest.
 std::int8_t doublingsForWhips(const IslandLoad& load, int subSteps) {
     std::int8_t doublings = 0;
-    Real held = kWhipRatio * load.lightest;
+    Real held = kWhipRatio * load.lightestLink;
     while (heaviestOf(load) > held &&
            subStepsFor({.doublings = static_cast<std::int8_t>(doublings + 1)}, subSteps) <= kMostSubSteps) {
         ++doublings;

@@ -23,7 +23,8 @@ BodyLoad loadOf(const Body& body, const BodyMotion& motion, DVec2 up, Real gravi
             .isMoving = speedSquared > kMovingRatioOfFall * gravity * body.extent,
             // The effort is still that of the last step.
             .staysPut = isStill || body.effort.direct == DirectScope::all,
-            .isJointed = body.holdingJoints > 0};
+            .isJointed = body.holdingJoints > 0,
+            .isLink = body.holdingJoints > 1 || (body.holdingJoints == 1 && body.hasContact)};
 }
 
 /// As if its bodies were added one by one: all of these are the same in any order. @pre `more` has bodies
@@ -44,6 +45,7 @@ void addBodiesOf(IslandLoad& load, const IslandLoad& more) {
             load.lightestJointed > 0 ? std::min(load.lightestJointed, more.lightestJointed) : more.lightestJointed;
     }
     load.lightest = std::min(load.lightest, more.lightest);
+    load.lightestLink = std::min(load.lightestLink, more.lightestLink);
     load.thinnest = std::min(load.thinnest, more.thinnest);
     load.lowest = std::min(load.lowest, more.lowest);
     load.highest = std::max(load.highest, more.highest);
@@ -52,6 +54,7 @@ void addBodiesOf(IslandLoad& load, const IslandLoad& more) {
 void addBody(IslandLoad& load, const BodyLoad& body) {
     addBodiesOf(load, {.bodies = 1,
                        .lightest = body.mass,
+                       .lightestLink = body.isLink ? body.mass : std::numeric_limits<Real>::max(),
                        .lightestJointed = body.isJointed ? body.mass : 0,
                        .heaviestJointed = body.isJointed ? body.mass : 0,
                        .thinnest = body.extent,

@@ -13,6 +13,7 @@ struct IslandLoad {
     std::uint32_t contacts = 0;
     std::uint32_t joints = 0;
     Real lightest = 0;               ///< kg
+    Real lightestLink = 0;           ///< kg, of `BodyLoad::isLink`; without any the largest number
     std::uint32_t plainJoints = 0;   ///< rigid, without springs, limits and motors
     bool isAnchored = false;         ///< a joint ties it to what is not dynamic
     bool hasLoop = false;            ///< joints between some of its bodies, and the ground, close one
@@ -51,6 +52,7 @@ struct BodyLoad {
     bool isMoving = false;
     bool staysPut = false;
     bool isJointed = false;
+    bool isLink = false;  ///< two joints hold it, or a joint and what it touches: others may pull at each other by it
 };
 
 /// What some bodies add, one after the other among `WorldState::tied`: mostly all of them are in one island, and are
