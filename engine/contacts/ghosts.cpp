@@ -1,9 +1,11 @@
 #include "ghosts.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
 #include "../state/tolerances.h"
+#include "contact_manifold.h"
 #include "slides.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -33,13 +35,7 @@ GroundContact groundContactOf(const WorldState& world, const Contact& contact) {
 
 bool isFaceContact(const GroundContact& contact) {
     if (contact.count > 1) { return true; }
-    const Vec2 local = unrotate(contact.groundPose.rotation, contact.normal);
-    const auto edges = static_cast<std::size_t>(contact.ground.count > 1 ? contact.ground.count : 0);
-    for (std::size_t i = 0; i < edges; ++i) {
-        const Vec2 face = contact.ground.normals[i];
-        if (dot(face, local) > 0 && std::fabs(cross(face, local)) <= kFaceSine) { return true; }
-    }
-    return false;
+    return faceWithNormal(contact.ground, unrotate(contact.groundPose.rotation, contact.normal)) >= 0;
 }
 
 bool isGroundAtRest(const WorldState& world, const Contact& contact) {
@@ -64,17 +60,35 @@ bool mayHideAhead(const WorldState& world, const Contact& stands, const Contact&
     return std::fabs(stepDown(groundContactOf(world, stands), seen)) <= seen.slop;
 }
 
-/// @return whether the contact is hidden by another one of the same body
-bool isGhost(const WorldState& world, const GroundContacts& contacts, std::uint32_t index,
-             const GroundContact& contact) {
+/// @return another one of the same body that hides the contact; null: none does
+const Contact* hiderOf(const WorldState& world, const GroundContacts& contacts, std::uint32_t index,
+                       const GroundContact& contact) {
     for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
         const Contact& stands = contacts.all[i];
         if (i == index || !stands.isSolid()) { continue; }
         const bool isReached = deepestSeparation(stands.manifold) <= kEndRatio * stands.extent;
         if (!isReached && !mayHideAhead(world, stands, contacts.all[index], contact)) { continue; }
-        if (hides(groundContactOf(world, stands), contact)) { return true; }
+        if (hides(groundContactOf(world, stands), contact)) { return &stands; }
     }
-    return false;
+    return nullptr;
+}
+
+/// What hides a tilted body's own normal leaves the ground below it, which the body may yet reach: where that has a
+/// face flush with what the body stands on the two meet along that. @return whether it has
+bool turnToFlushFace(const WorldState& world, Contact& contact, const Contact& stands) {
+    if (contact.dynamicA || contact.ofChain || !contact.manifold.isNormalOfB) { return false; }
+    const Vec2 normal = rotate(world.motions[stands.bodyA].pose.rotation, stands.manifold.normal);
+    const Vec2 local = unrotate(world.motions[contact.bodyA].pose.rotation, stands.dynamicA ? -normal : normal);
+    const Polygon& ground = world.shapes[contact.shapeA].polygon;
+    const int face = faceWithNormal(ground, local);
+    if (face < 0) { return false; }
+    const Transform bInA = relativePoseOf(world, contact);
+    const Real slop = kTargetRatio * contact.extent;
+    const Real margin = slop + std::max(contact.manifold.points[0].separation, contact.manifold.points[1].separation);
+    const Manifold onFace = collideOnFace(ground, face, world.shapes[contact.shapeB].polygon, bInA, margin, kFaceSine);
+    if (onFace.count == 0) { return false; }
+    takeManifold(contact, bInA, onFace);
+    return true;
 }
 
 /// What the contacts of a body are like.
@@ -110,8 +124,10 @@ bool dropGhostsOf(const WorldState& world, const GroundContacts& contacts) {
             Contact& contact = contacts.all[i];
             if (!contact.isSolid()) { continue; }
             const GroundContact seen = groundContactOf(world, contact);
-            if (ghostRank(seen) != rank || !isGhost(world, contacts, i, seen)) { continue; }
-            contact.manifold.count = 0;
+            if (ghostRank(seen) != rank) { continue; }
+            const Contact* const hider = hiderOf(world, contacts, i, seen);
+            if (hider == nullptr) { continue; }
+            if (!turnToFlushFace(world, contact, *hider)) { contact.manifold.count = 0; }
             anyGhost = true;
         }
     }

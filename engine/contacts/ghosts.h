@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -17,6 +19,16 @@ namespace swept::inline SWEPT_PRECISION {
 inline constexpr Real kSameNormal = 1 - Real(1) / 1024;
 /// Sine up to which a normal is that of a face: round shapes lose the square of it at every corner they pass.
 inline constexpr Real kFaceSine = Real(1) / 1024;
+
+/// The face with this normal, both in the polygon's frame; −1: none.
+inline int faceWithNormal(const Polygon& polygon, Vec2 normal) {
+    const int edges = polygon.count > 1 ? polygon.count : 0;
+    for (int i = 0; i < edges; ++i) {
+        const Vec2 face = polygon.normals[static_cast<std::size_t>(i)];
+        if (dot(face, normal) > 0 && std::fabs(cross(face, normal)) <= kFaceSine) { return i; }
+    }
+    return -1;
+}
 
 /// A contact of a body with something that does not yield.
 struct GroundContact {
@@ -41,7 +53,8 @@ bool hides(const GroundContact& stands, const GroundContact& other);
 Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygon& b, const WorldTransform& poseB,
                      Vec2 direction);
 
-/// Drops the ghosts among new contacts of these bodies (slots) with static and kinematic shapes.
+/// Drops the ghosts among new contacts, or turns them to what the body may meet there of these bodies (slots) with
+/// static and kinematic shapes.
 /// @param slides   of each contact; forgotten
 /// @param renewed  indices of the contacts whose manifold is new, in their order; those of dynamic bodies alone may be
 /// left out

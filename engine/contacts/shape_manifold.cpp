@@ -12,13 +12,8 @@ namespace {
 
 /// The face whose normal is almost, but not exactly, this one; −1: none.
 int faceBeside(const Polygon& polygon, Vec2 normal) {
-    const int edges = polygon.count > 1 ? polygon.count : 0;
-    for (int i = 0; i < edges; ++i) {
-        const Vec2 face = polygon.normals[static_cast<std::size_t>(i)];
-        const Real sine = std::fabs(cross(face, normal));
-        if (dot(face, normal) > 0 && sine <= kFaceSine) { return sine > 0 ? i : -1; }
-    }
-    return -1;
+    const int face = faceWithNormal(polygon, normal);
+    return face >= 0 && cross(polygon.normals[static_cast<std::size_t>(face)], normal) != 0 ? face : -1;
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "curved_path.h"
 #include "flight_contacts.h"
 #include "flight_state.h"
+#include "flush_impacts.h"
 #include "free_path.h"
 #include "sweep_obstacles.h"
 #include "sweep_tolerances.h"
@@ -204,13 +205,15 @@ bool resolveHere(Flight& flight) {
         scratch.order.push_back(&constraint);
     }
     const bool slides = flight.ride.body != kNoIndex && slidesOn(flight);
+    mergeFlushImpacts(scratch);
     reflectOrStop(scratch, flight.threshold());
     const Vec2 before = std::exchange(flight.motion.velocity, scratch.states[kFlyerSlot].velocity);
     flight.motion.angularVelocity = scratch.states[kFlyerSlot].angularVelocity;
+    for (const ContactConstraint* constraint : scratch.order) { noteCarrier(flight, *constraint); }
+    partFlushImpacts(scratch);
     bool anyHit = false;
     for (const ContactConstraint& constraint : scratch.constraints) {
         anyHit = (!slides && report(flight, constraint)) || anyHit;
-        noteCarrier(flight, constraint);
     }
     const bool meetsKinematic = scratch.states.size() > kFlyerSlot + 1;
     if (meetsKinematic) { noteLead(flight); }

@@ -68,7 +68,7 @@ void dropWhatIsNotMet(Flight& flight) {
     }
 }
 
-void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t source) {
+void addConstraint(Flight& flight, FlightObstacle& obstacle, std::uint32_t source) {
     if (obstacle.isCrossed) { return; }
     const Shape& own = flight.world->shapes[obstacle.own];
     const Shape& other = flight.world->shapes[obstacle.other];
@@ -78,6 +78,7 @@ void addConstraint(Flight& flight, const FlightObstacle& obstacle, std::uint32_t
     const Real margin = std::max(reachOf(*flight.world, obstacle), slopOf(*flight.world, obstacle));
     const Manifold manifold = obstacleManifold(*flight.world, obstacle, otherMotion.pose, flight.motion.pose, margin);
     if (manifold.count == 0) { return; }
+    obstacle.hasOwnNormal = manifold.isNormalOfB;
     ContactConstraint constraint =
         constraintOf(manifold, otherMotion, otherBody.localCenter, flight.motion, mixedSurface(own.def, other.def), 0);
     constraint.source = source;

@@ -60,8 +60,8 @@ constexpr auto allMembers(T& w) {
                w.contacts, w.probes, leftOut(w.probesThere), w.parked, w.pairsOfShapes, w.candidates,
                leftOut(w.candidateFates), leftOut(w.promoted), leftOut(w.lists), w.glances, w.travels, w.stirs,
                w.neededBoxes, leftOut(w.firstGroundContact), leftOut(w.nextGroundContact), leftOut(w.slides), w.pairs,
-               leftOut(w.droppedPairs), leftOut(w.touching), leftOut(w.hemmed), leftOut(w.sleepingPairs),
-               leftOut(w.chainPassers), w.crossed, leftOut(w.chainContacts),
+               leftOut(w.droppedPairs), leftOut(w.touching), leftOut(w.hemmed), leftOut(w.landings),
+               leftOut(w.sleepingPairs), leftOut(w.chainPassers), w.crossed, leftOut(w.chainContacts),
                // Islands, and what moves.
                leftOut(w.traits), leftOut(w.tied), leftOut(w.tiedRoots), leftOut(w.tiedJoints), leftOut(w.answers),
                leftOut(w.fastIslands), leftOut(w.mainDesk), leftOut(w.desks), leftOut(w.islands),

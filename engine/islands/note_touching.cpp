@@ -151,6 +151,7 @@ SWEPT_FORCE_INLINE void lookAtEach(WorldState& world, std::span<TouchingPair> pa
 
 /// What a contact with something static or kinematic tells about a dynamic body. @pre awake
 void noteGround(WorldState& world, const TouchingPair& pair) {
+    if (pair.mayMeet) { world.landings.meeting.push_back(pair); }
     const TouchFindings found = pair.findings;
     if (!(found.bounces || found.rests || found.strikes || pair.isDeep)) { return; }
     Body& body = world.bodies[pair.dynamicBody()];
@@ -174,6 +175,7 @@ void noteTouching(WorldState& world, Real dt) {
         });
     }
     world.hemmed.passing.clear();
+    world.landings.meeting.clear();
     auto keep = pairs.begin();
     const auto note = [&](std::size_t i) {
         const TouchingPair& pair = pairs[i];

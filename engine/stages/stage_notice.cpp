@@ -18,11 +18,16 @@ namespace {
 /// Noted probes per block, each of which one worker lists.
 constexpr std::size_t kNotedPerBlock = 512;
 
-/// Few contacts lose their points to others of the same body: their probes tell what they had before.
+/// Few contacts lose their points to others of the same body, or get other ones: their probes tell what they had
+/// before.
 void distrustGhosts(WorldState& world) {
     for (const std::uint32_t i : world.lists.near) {
         ContactProbe& probe = world.probes[i];
-        if (!probe.isPlain && probe.points > 0 && !world.contacts[probe.contact].isSolid()) { probe.areUp = false; }
+        if (probe.isPlain || probe.points == 0) { continue; }
+        const Contact& contact = world.contacts[probe.contact];
+        const TouchTraits now = touchingPair(contact, probe.contact);
+        const bool isAsTold = now.points == probe.points && now.isOpen == probe.isOpen && now.isDeep == probe.isDeep;
+        if (!contact.isSolid() || !isAsTold) { probe.areUp = false; }
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "../bodies/awake.h"
 #include "../bodies/body_measures.h"
+#include "../contacts/flush_landings.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../contacts/stirred.h"
 #include "../crew/beside.h"
@@ -120,7 +121,10 @@ void runStages(WorldState& world, double dt) {
     clock.stop(world.stageTimes.islands);
     moveFreeBodies(world, dt);
     if (world.fastIslands.any) { beginFastIslands(world, dt); }
+    const bool mayLand = !world.landings.meeting.empty();
+    if (mayLand) { mergeLandings(world); }
     solveTiedBodies(world, dt);
+    if (mayLand) { partLandings(world); }
     if (world.fastIslands.any) { advanceFastIslands(world, dt); }
     putBackOverflown(world);
     if (world.watched) { limitWays(world, dt); }

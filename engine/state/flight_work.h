@@ -23,14 +23,15 @@ class GroundOnTheWay;
 
 /// A static or kinematic shape that a swept shape may meet.
 struct FlightObstacle {
-    std::uint32_t own = 0;    ///< slot of the swept body's shape
-    std::uint32_t other = 0;  ///< slot of the obstacle
-    double level = 0;         ///< separation at which the next impact is looked for, metres
-    DVec2 lift{};             ///< overlap at the start, undone along the contact normal for the sweep
-    bool isClear = false;     ///< the sweep is known not to meet it
-    bool isSunkInto = false;  ///< deeper than what contacts hold may be
-    bool isBehind = false;    ///< a chain segment that the shape is behind at the start of the sweep
-    bool isCrossed = false;   ///< a chain segment that the sweep gets to from behind (chain_crossing.h)
+    std::uint32_t own = 0;      ///< slot of the swept body's shape
+    std::uint32_t other = 0;    ///< slot of the obstacle
+    double level = 0;           ///< separation at which the next impact is looked for, metres
+    DVec2 lift{};               ///< overlap at the start, undone along the contact normal for the sweep
+    bool isClear = false;       ///< the sweep is known not to meet it
+    bool isSunkInto = false;    ///< deeper than what contacts hold may be
+    bool isBehind = false;      ///< a chain segment that the shape is behind at the start of the sweep
+    bool isCrossed = false;     ///< a chain segment that the sweep gets to from behind (chain_crossing.h)
+    bool hasOwnNormal = false;  ///< where they met last: that of a face of the swept shape, not of the obstacle
     Real height = -std::numeric_limits<Real>::infinity();  ///< at the start it is known to be as far away, metres
 };
 
@@ -81,6 +82,15 @@ struct ChainCrossings {
     std::vector<ChainPasser> crossed;         ///< of all lives of this step that ended
 };
 
+/// Two constraints of an impact whose outermost points stand in one of them (flush_impacts.h).
+struct FlushImpact {
+    ContactConstraint both;
+    std::uint32_t own = 0;    ///< place of the constraint of the first point
+    std::uint32_t guest = 0;  ///< likewise, of the second one
+    std::uint32_t pointOfOwn = 0;
+    std::uint32_t pointOfGuest = 0;
+};
+
 /// What one worker needs for sweeps, and what it found: kept for its capacity, merged after the parallel loop. Nothing
 /// of it shares a cache line with another worker's: they lie side by side, and are written all the time.
 struct alignas(kCacheLine) FlightScratch {
@@ -96,6 +106,8 @@ struct alignas(kCacheLine) FlightScratch {
     std::vector<BodyInertia> inertias;
     std::vector<ContactConstraint> constraints;
     std::vector<ContactConstraint*> order;
+    std::vector<FlushImpact> flushImpacts;
+    std::vector<std::uint8_t> isMerged;  ///< scratch: by constraint
     ImpactScratch impact;
 
     bool isSunk = false;               ///< see `firstImpact`

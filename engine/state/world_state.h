@@ -41,6 +41,7 @@
 #include "island_rest.h"
 #include "joint.h"
 #include "joint_chains.h"
+#include "landings.h"
 #include "load_paths.h"
 #include "pairs_of_shapes.h"
 #include "parked_contacts.h"
@@ -130,6 +131,7 @@ struct WorldState : Workers {
     Scratch<std::vector<ContactPair>> droppedPairs;      ///< scratch: of these, some to be dropped together
     Scratch<RawVector<TouchingPair>> touching;           ///< in order of the probes; of this step, until the solve
     HemmedPairs hemmed;                                  ///< likewise
+    Landings landings;                                   ///< likewise
     SleepingPairs sleepingPairs;
     std::vector<ChainPasser> chainPassers;     ///< of this step, in order
     std::vector<ChainPasser> crossed;          ///< in which sweeps of the last one ended, in order; none is stale
