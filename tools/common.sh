@@ -32,13 +32,13 @@ quietly() {
     fi
 }
 
-# Build processes: one per core, fewer when memory is short (a compiler may take 1 GiB).
+# Build processes: one per core, fewer when memory is short (a compiler may take 1.25 GiB).
 build_jobs() {
-    local cores memory_gib
+    local cores jobs
     cores="$(nproc 2>/dev/null || echo 2)"
-    memory_gib="$(awk '/MemAvailable/ {print int($2 / 1048576)}' /proc/meminfo 2>/dev/null || echo "$cores")"
-    if [ "$memory_gib" -lt 1 ]; then memory_gib=1; fi
-    echo $((cores < memory_gib ? cores : memory_gib))
+    jobs="$(awk '/MemAvailable/ {print int($2 / 1310720)}' /proc/meminfo 2>/dev/null || echo "$cores")"
+    if [ "$jobs" -lt 1 ]; then jobs=1; fi
+    echo $((cores < jobs ? cores : jobs))
 }
 
 # Arguments for cmake that use ccache where there is one.
@@ -54,14 +54,26 @@ linker_arguments() {
     esac
 }
 
+# Arguments for cmake that have GCC free memory less often, where nobody set its flags: the largest sources take 1.25 GiB
+# instead of 1, and 0.92 of the time.
+memory_arguments() {
+    local compiler="${CXX:-c++}"
+    if [ "$1" != release ] || [ -n "${CXXFLAGS:-}" ]; then return; fi
+    case "$("$compiler" --version 2>/dev/null)" in
+        *"Free Software Foundation"*) echo "-DCMAKE_CXX_FLAGS=--param=ggc-min-expand=1000" ;;
+    esac
+}
+
 # configure PRESET ARGUMENT...
 configure() {
     local preset="$1"
     shift
-    local launcher linker
+    local launcher linker memory
     launcher="$(launcher_arguments)"
     linker="$(linker_arguments "$preset")"
-    quietly "configure-$preset" cmake -S "$root" --preset "$preset" ${launcher:+"$launcher"} ${linker:+"$linker"} "$@" ||
+    memory="$(memory_arguments "$preset")"
+    quietly "configure-$preset" cmake -S "$root" --preset "$preset" ${launcher:+"$launcher"} ${linker:+"$linker"} \
+        ${memory:+"$memory"} "$@" ||
         fail "configuring the preset '$preset' failed"
 }
 

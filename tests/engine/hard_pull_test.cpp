@@ -1,5 +1,6 @@
 #include <array>
 
+#include "../support/some_of.h"
 #include "world_support.h"
 
 /// What gravity or a force pulls so hard that it would be fast from rest within a step, and that lies on something on
@@ -157,7 +158,7 @@ TEST(HardPull, BoxesStayUnderTenTimesTheGravity) {
 TEST(HardPull, NothingIsPulledThroughASegment) {
     for (const Profile profile : {Profile::fast, Profile::accurate}) {
         for (const int subSteps : {0, 1, 8}) {
-            for (int power = -8; power <= 18; ++power) {
+            for (int power = -8; power <= 18; power += 4 - someOf(3)) {
                 const double extent = kGravity * kStep * kStep / std::exp2(power / 2.0);
                 const double half = extent / 2;
                 const std::array<Polygon, 3> shapes{box(2 * half, half), circle(half), capsule(4 * half, half)};
