@@ -60,6 +60,22 @@ TEST(Accuracy, WhatStandsStillIsPerfectWhereNothingShouldMove) {
     }
 }
 
+TEST(Accuracy, LandingsTellReboundAndDepth) {
+    const Case flat = caseNamed("tiles-flat");
+    Frames frames = stillFrames(flat);
+    frames[10].bodies[3].velocity.y = -8;
+    for (std::size_t i = 1; i < frames[9].bodies.size(); ++i) { frames[9].bodies[i].velocity.y = -7; }
+    EXPECT_EQ(valueOf(flat, "rebound", frames), 0);
+    frames[20].bodies[3].velocity.y = 0.5;
+    EXPECT_EQ(valueOf(flat, "rebound", frames), 0.5 / 8);
+    const Case tilted = caseNamed("tiles-tilted");
+    frames = stillFrames(tilted);
+    EXPECT_EQ(valueOf(tilted, "depth", frames), 0);
+    frames.back().bodies[1].position.y = 0.19;  // of half a side of 0.2 m
+    frames.back().bodies[1].angle = 0;
+    EXPECT_NEAR(valueOf(tilted, "depth", frames), 0.01, 1e-12);
+}
+
 TEST(Accuracy, StacksThatFallAreSaidToHaveCollapsed) {
     const Case c = caseNamed("stack-10");
     Frames frames = stillFrames(c);
