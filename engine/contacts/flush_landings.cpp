@@ -15,9 +15,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Of the angle between the normals where the outermost points are.
-constexpr Real kFlushSine = kTargetRatio;
-
 Vec2 worldNormal(const WorldState& world, const Contact& contact) {
     return rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
 }
@@ -40,12 +37,19 @@ bool areOfOneGround(const WorldState& world, const TouchingPair& one, const Touc
            moveAlike(world, a.bodyA, b.bodyA);
 }
 
-/// Whether a point of the one may stand in the other. A corner of a tilted body meets the face of a piece, whatever
-/// normal its contact has. @pre they are of one ground
-bool areFlush(const WorldState& world, const Contact& a, const Contact& b) {
-    const bool isOneOfBody = a.manifold.isNormalOfB != b.manifold.isNormalOfB;
-    const Real sine = std::fabs(cross(worldNormal(world, a), worldNormal(world, b)));
-    return a.radiusA == b.radiusA && a.radiusB == b.radiusB && (isOneOfBody || sine <= kFlushSine);
+/// Of pieces of one ground one whose contact has the normal of that, not that of the tilted body; null: none has.
+const Contact* withNormalOfGround(const WorldState& world, std::span<const TouchingPair> pairs) {
+    const auto found = std::find_if(pairs.begin(), pairs.end(), [&world](const TouchingPair& pair) {
+        return !world.contacts[pair.contact].manifold.isNormalOfB;
+    });
+    return found == pairs.end() ? nullptr : &world.contacts[found->contact];
+}
+
+bool areAllFlush(const WorldState& world, std::span<const TouchingPair> pairs, const Contact& ofGround) {
+    const GroundContact ground = groundContactOf(world, ofGround);
+    return std::all_of(pairs.begin(), pairs.end(), [&](const TouchingPair& pair) {
+        return areFlush(ground, groundContactOf(world, world.contacts[pair.contact]));
+    });
 }
 
 /// In order along the ground.
@@ -100,13 +104,14 @@ ManifoldPoint seenFrom(const WorldState& world, const Contact& contact, const Co
 void mergeFlush(WorldState& world, std::span<const TouchingPair> pairs) {
     std::vector<LandingPoint>& points = world.landings.points;
     listPoints(world, pairs, points);
-    LandingPoint own = points.front();
-    LandingPoint guest = points.back();
+    const LandingPoint& own = points.front();
+    const LandingPoint& guest = points.back();
     if (points.size() < 3 || own.contact == guest.contact || !areOutermostFirst(world, points)) { return; }
-    if (!areFlush(world, world.contacts[own.contact], world.contacts[guest.contact])) { return; }
-    if (world.contacts[own.contact].manifold.isNormalOfB) { std::swap(own, guest); }
     Contact& contact = world.contacts[own.contact];
     const Contact& other = world.contacts[guest.contact];
+    const Contact* const ofGround = withNormalOfGround(world, pairs);
+    const bool areAlike = contact.radiusA == other.radiusA && contact.radiusB == other.radiusB;
+    if (!areAlike || ofGround == nullptr || !areAllFlush(world, pairs, *ofGround)) { return; }
     world.landings.merged.push_back({.contact = own.contact,
                                      .other = guest.contact,
                                      .point = own.point,
@@ -115,10 +120,14 @@ void mergeFlush(WorldState& world, std::span<const TouchingPair> pairs) {
                                      .wasOtherPressed = other.pressed,
                                      .before = contact.manifold});
     const ManifoldPoint one = contact.manifold.points[own.point];
-    contact.manifold.points = {one, seenFrom(world, contact, other, guest.point)};
-    contact.manifold.count = 2;
+    contact.manifold = {.normal = unrotate(world.motions[contact.bodyA].pose.rotation, worldNormal(world, *ofGround)),
+                        .points = {one, seenFrom(world, contact, other, guest.point)},
+                        .count = 2};
     contact.normalImpulse = {contact.normalImpulse[own.point], other.normalImpulse[guest.point]};
     contact.tangentImpulse = {contact.tangentImpulse[own.point], other.tangentImpulse[guest.point]};
+    contact.totalImpulse = {contact.totalImpulse[own.point], other.totalImpulse[guest.point]};
+    // One of two that begins to press is struck.
+    contact.pressed = contact.pressed && other.pressed;
     for (const TouchingPair& pair : pairs) {
         if (pair.contact != own.contact) { world.landings.leftOut.push_back(pair.contact); }
     }
@@ -250,6 +259,12 @@ void mergeLandings(WorldState& world) {
 }
 
 void partLandings(WorldState& world) {
+    if (world.landings.merged.empty()) { return; }
+    for (const std::uint32_t place : world.landings.leftOut) {
+        Contact& contact = world.contacts[place];
+        contact.totalImpulse = {};
+        contact.pressed = contact.pressedOn = false;
+    }
     for (const MergedContact& merged : world.landings.merged) {
         Contact& contact = world.contacts[merged.contact];
         Contact& other = world.contacts[merged.other];

@@ -19,20 +19,6 @@ constexpr Real kNearNormal = 1 - Real(1) / 4000;
 
 bool isGroundContact(const Contact& contact) { return contact.dynamicA != contact.dynamicB && contact.isSolid(); }
 
-GroundContact groundContactOf(const WorldState& world, const Contact& contact) {
-    const bool groundIsA = !contact.dynamicA;
-    const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
-    const Shape& ground = world.shapes[groundIsA ? contact.shapeA : contact.shapeB];
-    const Shape& own = world.shapes[groundIsA ? contact.shapeB : contact.shapeA];
-    return {.ground = ground.polygon,
-            .own = own.polygon,
-            .groundPose = world.motions[ground.body].pose,
-            .ownPose = world.motions[own.body].pose,
-            .normal = groundIsA ? normal : -normal,
-            .count = contact.manifold.count,
-            .slop = kTargetRatio * contact.extent};
-}
-
 bool isFaceContact(const GroundContact& contact) {
     if (contact.count > 1) { return true; }
     return faceWithNormal(contact.ground, unrotate(contact.groundPose.rotation, contact.normal)) >= 0;
@@ -135,6 +121,25 @@ bool dropGhostsOf(const WorldState& world, const GroundContacts& contacts) {
 }
 
 }  // namespace
+
+GroundContact groundContactOf(const WorldState& world, const Contact& contact) {
+    const bool groundIsA = !contact.dynamicA;
+    const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
+    const Shape& ground = world.shapes[groundIsA ? contact.shapeA : contact.shapeB];
+    const Shape& own = world.shapes[groundIsA ? contact.shapeB : contact.shapeA];
+    return {.ground = ground.polygon,
+            .own = own.polygon,
+            .groundPose = world.motions[ground.body].pose,
+            .ownPose = world.motions[own.body].pose,
+            .normal = groundIsA ? normal : -normal,
+            .count = contact.manifold.count,
+            .slop = kTargetRatio * contact.extent};
+}
+
+bool areFlush(const GroundContact& one, const GroundContact& other) {
+    const Vec2 normal = unrotate(other.groundPose.rotation, one.normal);
+    return faceWithNormal(other.ground, normal) >= 0 && std::fabs(stepDown(one, other)) <= other.slop;
+}
 
 int ghostRank(const GroundContact& contact) { return (isFaceContact(contact) ? 2 : 0) + (contact.count > 1 ? 1 : 0); }
 

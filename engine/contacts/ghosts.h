@@ -41,6 +41,12 @@ struct GroundContact {
     Real slop;    ///< metres
 };
 
+GroundContact groundContactOf(const WorldState& world, const Contact& contact);
+
+/// Whether the other ground has a face in the plane of this one, to within the slop. Not where ground bends, however
+/// little: what meets one side of a bend goes on into the other one.
+bool areFlush(const GroundContact& one, const GroundContact& other);
+
 /// What yields first has the lowest rank: corners before faces, single points before pairs.
 inline constexpr int kGhostRanks = 4;
 int ghostRank(const GroundContact& contact);

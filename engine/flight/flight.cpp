@@ -205,7 +205,7 @@ bool resolveHere(Flight& flight) {
         scratch.order.push_back(&constraint);
     }
     const bool slides = flight.ride.body != kNoIndex && slidesOn(flight);
-    mergeFlushImpacts(scratch);
+    mergeFlushImpacts(flight);
     reflectOrStop(scratch, flight.threshold());
     const Vec2 before = std::exchange(flight.motion.velocity, scratch.states[kFlyerSlot].velocity);
     flight.motion.angularVelocity = scratch.states[kFlyerSlot].angularVelocity;

@@ -95,19 +95,6 @@ void addConstraint(Flight& flight, FlightObstacle& obstacle, std::uint32_t sourc
     flight.scratch->constraints.push_back(constraint);
 }
 
-GroundContact groundContactOf(const Flight& flight, const ContactConstraint& constraint) {
-    const FlightObstacle& obstacle = flight.scratch->obstacles[constraint.source];
-    const Shape& other = flight.world->shapes[obstacle.other];
-    const Sweep otherSweep = obstacleSweep(*flight.world, other.body, flight.elapsed, flight.dt);
-    return {.ground = other.polygon,
-            .own = flight.world->shapes[obstacle.own].polygon,
-            .groundPose = motionAt(otherSweep, 0, flight.world->bodies[other.body].localCenter).pose,
-            .ownPose = flight.motion.pose,
-            .normal = constraint.normal,
-            .count = constraint.count,
-            .slop = slopOf(*flight.world, obstacle)};
-}
-
 /// Drops the constraints that another one's normal shows to be ghosts (ghosts.h).
 void dropGhosts(Flight& flight) {
     std::vector<ContactConstraint>& all = flight.scratch->constraints;
@@ -139,6 +126,19 @@ void noteMet(Flight& flight) {
 }
 
 }  // namespace
+
+GroundContact groundContactOf(const Flight& flight, const ContactConstraint& constraint) {
+    const FlightObstacle& obstacle = flight.scratch->obstacles[constraint.source];
+    const Shape& other = flight.world->shapes[obstacle.other];
+    const Sweep otherSweep = obstacleSweep(*flight.world, other.body, flight.elapsed, flight.dt);
+    return {.ground = other.polygon,
+            .own = flight.world->shapes[obstacle.own].polygon,
+            .groundPose = motionAt(otherSweep, 0, flight.world->bodies[other.body].localCenter).pose,
+            .ownPose = flight.motion.pose,
+            .normal = constraint.normal,
+            .count = constraint.count,
+            .slop = slopOf(*flight.world, obstacle)};
+}
 
 void listMet(Flight& flight) {
     FlightScratch& scratch = *flight.scratch;

@@ -24,21 +24,13 @@ struct PlacedPoint {
 
 bool areOfOneGround(const ContactConstraint& a, const ContactConstraint& b) {
     return b.slotA == kFixedSlot && b.slotB == a.slotB && a.friction == b.friction && a.restitution == b.restitution &&
-           dot(a.normal, b.normal) > kSameNormal;
-}
-
-bool hasOwnNormal(const FlightScratch& scratch, const ContactConstraint& constraint) {
-    return scratch.obstacles[constraint.source].hasOwnNormal;
-}
-
-/// As `areFlush` of the solver's contacts.
-bool areFlush(const FlightScratch& scratch, const ContactConstraint& a, const ContactConstraint& b) {
-    return hasOwnNormal(scratch, a) != hasOwnNormal(scratch, b) || std::fabs(cross(a.normal, b.normal)) <= kTargetRatio;
+           a.surfaceSpeed == b.surfaceSpeed && dot(a.normal, b.normal) > kSameNormal;
 }
 
 /// With those that follow it in the list, and are of one ground with it.
 /// @param isTaken  by constraint: stands in another one already, or was left out
-void mergeFrom(FlightScratch& scratch, std::size_t first, std::vector<std::uint8_t>& isTaken) {
+void mergeFrom(const Flight& flight, std::size_t first, std::vector<std::uint8_t>& isTaken) {
+    FlightScratch& scratch = *flight.scratch;
     const ContactConstraint& one = scratch.constraints[first];
     const Vec2 along = rightPerp(one.normal);
     const auto isOfIt = [&](std::size_t i) {
@@ -47,9 +39,12 @@ void mergeFrom(FlightScratch& scratch, std::size_t first, std::vector<std::uint8
     PlacedPoint own;
     PlacedPoint guest;
     std::uint32_t points = 0;
+    // Where the flyer is tilted some normals are its own.
+    const ContactConstraint* ofGround = nullptr;
     for (std::size_t i = first; i < scratch.constraints.size(); ++i) {
         if (!isOfIt(i)) { continue; }
         const ContactConstraint& constraint = scratch.constraints[i];
+        if (ofGround == nullptr && !scratch.obstacles[constraint.source].hasOwnNormal) { ofGround = &constraint; }
         for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(constraint.count); ++k) {
             const PlacedPoint point{dot(constraint.points[k].anchorB, along), static_cast<std::uint32_t>(i), k};
             if (points == 0 || point.place < own.place) { own = point; }
@@ -57,15 +52,18 @@ void mergeFrom(FlightScratch& scratch, std::size_t first, std::vector<std::uint8
             ++points;
         }
     }
-    if (points < 3 || own.constraint == guest.constraint) { return; }
-    if (!areFlush(scratch, scratch.constraints[own.constraint], scratch.constraints[guest.constraint])) { return; }
-    if (hasOwnNormal(scratch, scratch.constraints[own.constraint])) { std::swap(own, guest); }
+    if (points < 3 || own.constraint == guest.constraint || ofGround == nullptr) { return; }
+    const GroundContact ground = groundContactOf(flight, *ofGround);
+    for (std::size_t i = first; i < scratch.constraints.size(); ++i) {
+        if (isOfIt(i) && !areFlush(ground, groundContactOf(flight, scratch.constraints[i]))) { return; }
+    }
     FlushImpact& impact = scratch.flushImpacts.emplace_back();
     impact = {.both = scratch.constraints[own.constraint],
               .own = own.constraint,
               .guest = guest.constraint,
               .pointOfOwn = own.point,
               .pointOfGuest = guest.point};
+    impact.both.normal = ofGround->normal;
     impact.both.count = 2;
     impact.both.points = {scratch.constraints[own.constraint].points[own.point],
                           scratch.constraints[guest.constraint].points[guest.point]};
@@ -82,14 +80,15 @@ void giveBack(ContactConstraintPoint& to, const ContactConstraintPoint& from) {
 
 }  // namespace
 
-void mergeFlushImpacts(FlightScratch& scratch) {
+void mergeFlushImpacts(const Flight& flight) {
+    FlightScratch& scratch = *flight.scratch;
     scratch.flushImpacts.clear();
     const std::size_t count = scratch.constraints.size();
     if (count < 2) { return; }
     std::vector<std::uint8_t>& isTaken = scratch.isMerged;
     isTaken.assign(count, 0);
     for (std::size_t i = 0; i + 1 < count; ++i) {
-        if (isTaken[i] == 0 && scratch.constraints[i].slotA == kFixedSlot) { mergeFrom(scratch, i, isTaken); }
+        if (isTaken[i] == 0 && scratch.constraints[i].slotA == kFixedSlot) { mergeFrom(flight, i, isTaken); }
     }
     if (scratch.flushImpacts.empty()) { return; }
     scratch.order.clear();

@@ -163,11 +163,11 @@ DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps
 /// Half as long for four times the ratio; never for what is at rest.
 std::int8_t doublingsForWhips(const IslandLoad& load, int subSteps) {
     std::int8_t doublings = 0;
-    Real held = kWhipRatio * load.lightestLink;
-    while (heaviestOf(load) > held &&
+    Real leastHeld = heaviestOf(load) / kWhipRatio;
+    while (leastHeld > load.lightestLink &&
            subStepsFor({.doublings = static_cast<std::int8_t>(doublings + 1)}, subSteps) <= kMostSubSteps) {
         ++doublings;
-        held *= 4;
+        leastHeld /= 4;
     }
     return doublings;
 }

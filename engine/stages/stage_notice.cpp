@@ -27,7 +27,7 @@ void distrustGhosts(WorldState& world) {
         const Contact& contact = world.contacts[probe.contact];
         const TouchTraits now = touchingPair(contact, probe.contact);
         const bool isAsTold = now.points == probe.points && now.isOpen == probe.isOpen && now.isDeep == probe.isDeep;
-        if (!contact.isSolid() || !isAsTold) { probe.areUp = false; }
+        if (!contact.isSolid() || !isAsTold || isTouching(contact) != contact.touching) { probe.areUp = false; }
     }
 }
 
