@@ -192,7 +192,7 @@ TEST_P(FlushLandings, OnGroundThatBendsAreOfEachPiece) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InProfile, FlushLandings, testing::ValuesIn(kProfiles),
-                         [](const auto& info) { return profileName(info.param); });
+                         [](const auto& tested) { return profileName(tested.param); });
 
 }  // namespace
 }  // namespace swept::test
