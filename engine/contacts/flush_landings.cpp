@@ -1,11 +1,11 @@
 #include "flush_landings.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <tuple>
-#include <utility>
+#include <vector>
 
 #include "../state/tolerances.h"
 #include "../state/world_state.h"

@@ -1,15 +1,11 @@
 #include "flush_impacts.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "../contacts/ghosts.h"
 #include "../state/flight_work.h"
-#include "../state/tolerances.h"
 #include "flight_contacts.h"
 
 namespace swept::inline SWEPT_PRECISION {
