@@ -51,6 +51,7 @@ struct BodyDef {
     bool fixedRotation = false;  ///< does not turn; its angular velocity is 0
     bool bullet = false;         ///< in mode `subStep`, also swept against dynamic bodies, in order of time
     bool awake = true;           ///< false: sleeps until something wakes it, with the shapes that it is given then
+    bool allowSleep = true;      ///< false: never falls asleep by itself, nor does what touches it or is jointed to it
     bool enabled = true;         ///< false: takes no part until `World::setEnabled` lets it
     std::optional<ContinuousMode> continuous{};  ///< empty: the world's
     std::uint64_t userData = 0;

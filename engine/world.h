@@ -133,12 +133,12 @@ public:
     /// `notPositive` dt; `outOfRange` with "position" or "angle" where that is farther than a body may be fast; as of
     /// setVelocity.
     Status driveTo(BodyId id, DVec2 position, double angle, double dt);
-    /// What is disabled takes no part: it does not move, meets nothing, no query finds it, and its joints are off. It
-    /// keeps its id, shapes, joints, pose and velocities, all of which may be changed meanwhile. To disable it ends its
-    /// contacts, forgets its forces, and wakes what touched it and what its joints held; enabled again it is awake, and
-    /// moves on from where it is. Its joints pull their bodies together again by the shorter way round, never by more
-    /// than half a turn (whole turns are forgotten), and gears go on from the present angles. For bodies that come and
-    /// go, without making them anew.
+    /// What is disabled takes no part: it does not move, meets nothing, no query finds it (but for those about one
+    /// shape), and its joints are off. It keeps its id, shapes, joints, pose and velocities, all of which may be
+    /// changed meanwhile. To disable it ends its contacts, forgets its forces, and wakes what touched it and what its
+    /// joints held; enabled again it is awake, and moves on from where it is. Its joints pull their bodies together
+    /// again by the shorter way round, never by more than half a turn (whole turns are forgotten), and gears go on from
+    /// the present angles. For bodies that come and go, without making them anew.
     Status setEnabled(BodyId id, bool enabled);
     bool isEnabled(BodyId id) const;
     // The calls below are for dynamic bodies only; errors: `wrongBodyType` of others, `outOfRange` when the sum of the
@@ -290,6 +290,9 @@ public:
     // --- queries, at the present poses; nothing is found for what is no number, a translation of 0, a bad polygon.
     // Chains are met from either side.
     CastHit castRay(DVec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
+    /// Where the ray meets one shape, a sensor or disabled as it may be, whatever else is on its way; nothing for a
+    /// stale id.
+    CastHit castRay(ShapeId id, DVec2 origin, Vec2 translation) const;
     /// Calls `visit` for every shape on the ray, the nearest first. It returns the fraction of the ray to go on with: 1
     /// goes on, that of the hit shortens the ray to it, 0 ends the query. Of a chain for each segment, from either
     /// side.
@@ -344,6 +347,9 @@ public:
     std::span<const JointBreakEvent> jointBreaks() const;
     /// Bodies whose state overflowed in the last step: they are at rest where they were before it.
     std::span<const BodyId> bodiesPutBack() const;
+    /// Bodies that fell asleep at the end of the last step, whether it still moved them or not, in the order of their
+    /// slots. What `setAwake` puts to sleep is not among them.
+    std::span<const BodyId> bodiesFellAsleep() const;
     std::span<const LostTimeEntry> lostTime() const;
     std::span<const ImpactPose> impactPoses() const;
     const StepCounters& counters() const;

@@ -93,6 +93,7 @@ BodyDef bodyDefOf(const BodyDescription& given, std::size_t index) {
     def.fixedRotation = given.fixedRotation;
     def.bullet = given.bullet;
     def.awake = given.awake;
+    def.allowSleep = given.allowSleep;
     def.enabled = given.enabled;
     if (given.continuous) { def.continuous = continuousOf(*given.continuous); }
     def.userData = index;

@@ -111,6 +111,7 @@ struct BodyDescription {
     double angularDamping = 0;
     double gravityScale = 1;
     bool awake = true;
+    bool allowSleep = true;
     bool enabled = true;                        ///< false: takes no part
     std::optional<SceneContinuous> continuous;  ///< omitted: the world's
     std::optional<double> mass;                 ///< overrides what the shapes give

@@ -161,7 +161,8 @@ inline constexpr auto kFields<BodyDescription> = std::make_tuple(
     field("linearDamping", &BodyDescription::linearDamping, units::kRate, bounds::kNotNegative),
     field("angularDamping", &BodyDescription::angularDamping, units::kRate, bounds::kNotNegative),
     field("gravityScale", &BodyDescription::gravityScale), field("awake", &BodyDescription::awake),
-    field("enabled", &BodyDescription::enabled), field("continuous", &BodyDescription::continuous),
+    field("allowSleep", &BodyDescription::allowSleep), field("enabled", &BodyDescription::enabled),
+    field("continuous", &BodyDescription::continuous),
     field("mass", &BodyDescription::mass, units::kMass, bounds::kPositive),
     field("inertia", &BodyDescription::inertia, units::kInertia, bounds::kPositive),
     field("shapes", &BodyDescription::shapes));

@@ -121,6 +121,7 @@ Status World::step(double dt) {
     world.eventsBetween = world.contactEvents.size();
     world.jointBreaks.clear();
     world.bodiesPutBack.clear();
+    world.bodiesFellAsleep.clear();
     world.lostTime.clear();
     world.impactPoses.clear();
     shareStep(world, work, [&world, dt] { runStages(world, dt); });
@@ -131,6 +132,7 @@ Status World::step(double dt) {
 std::span<const ContactEvent> World::contactEvents() const { return state_->contactEvents; }
 std::span<const JointBreakEvent> World::jointBreaks() const { return state_->jointBreaks; }
 std::span<const BodyId> World::bodiesPutBack() const { return state_->bodiesPutBack; }
+std::span<const BodyId> World::bodiesFellAsleep() const { return state_->bodiesFellAsleep; }
 std::span<const LostTimeEntry> World::lostTime() const { return state_->lostTime; }
 std::span<const ImpactPose> World::impactPoses() const { return state_->impactPoses; }
 const StepCounters& World::counters() const { return state_->counters; }

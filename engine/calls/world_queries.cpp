@@ -209,6 +209,17 @@ CastHit World::castRay(DVec2 origin, Vec2 translation, const QueryFilter& filter
     return closest.hit();
 }
 
+CastHit World::castRay(ShapeId id, DVec2 origin, Vec2 translation) const {
+    const WorldState& world = *state_;
+    if (!isValid(id) || !isGood(origin, translation)) { return {}; }
+    Closest closest;
+    for (std::uint32_t slot = id.index; slot != kNoIndex; slot = world.shapes[slot].nextInChain) {
+        const CastHit hit = rayAgainst(world, world.shapes[slot], origin, translation, 1);
+        if (hit.hit) { closest.offer(Met{hit}); }
+    }
+    return closest.hit();
+}
+
 void World::castShapeAll(const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
                          const QueryFilter& filter, FunctionRef<Real(const CastHit&)> visit) const {
     std::vector<Met> found;

@@ -24,6 +24,12 @@ constexpr std::array kProfiles{"accurate", "fast"};
 constexpr std::array kMixingRules{"usual", "geometricMean", "average", "minimum", "product", "maximum"};
 constexpr std::array kBroadphases{"automatic", "allPairs", "sortAndSweep", "quadtree", "grid", "bvh", "wideBvh"};
 
+static_assert(kBodyTypes.size() == static_cast<std::size_t>(BodyType::dynamic) + 1);
+static_assert(kContinuousModes.size() == static_cast<std::size_t>(ContinuousMode::subStep) + 1);
+static_assert(kProfiles.size() == static_cast<std::size_t>(Profile::fast) + 1);
+static_assert(kMixingRules.size() == static_cast<std::size_t>(MixingRule::maximum) + 1);
+static_assert(kBroadphases.size() == static_cast<std::size_t>(BroadphaseKind::wideBvh) + 1);
+
 /// kg: of what is dynamic, and has none, as the engine lets it be until it is stepped. The reader wants some.
 constexpr Real kLeastMass = Real(1e-6);
 
@@ -180,6 +186,7 @@ void appendBody(std::string& text, const World& world, const WorldState& state, 
     out.addUnless("angularDamping", def.angularDamping, usual.angularDamping);
     out.addUnless("gravityScale", def.gravityScale, usual.gravityScale);
     if (def.type == BodyType::dynamic && def.enabled) { out.addUnless("awake", def.awake, true); }
+    out.addUnless("allowSleep", def.allowSleep, true);
     out.addUnless("enabled", def.enabled, true);
     if (def.continuous) { out.add("continuous", wordFor(kContinuousModes, *def.continuous)); }
     if (def.type == BodyType::dynamic) { addMass(out, state.bodies[id.index]); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <vector>
 
 #include "../bodies/awake.h"
 #include "../bodies/body_mode.h"
@@ -65,18 +66,26 @@ private:
         std::sort(stirs_.noted.begin(), stirs_.noted.end());  // in no order of a tree
     }
 
-    /// Whom it comes to within two steps: what touches something has boxes that do not reach ahead.
+    /// Whom it comes to within two steps: what touches something has boxes that do not reach ahead. In the order of
+    /// their slots: a striker that was struck itself carries more to who comes after.
     void strikeAhead(std::uint32_t slot) {
         const Vec2 way = kBoxStepsAhead * dt_ * world_.motions[slot].velocity;
         for (const std::uint32_t index : world_.bodies[slot].shapes) {
             const Shape& shape = world_.shapes[index];
             const Aabb box = world_.broadphase->box(shape.proxy);
             const Aabb ahead = hullOf(box, {box.lower + way, box.upper + way});
+            std::vector<std::uint32_t>& met = stirs_.met;
+            met.clear();
             world_.broadphase->queryDynamic(std::span(&ahead, 1), [&](std::size_t, ProxyId id) {
-                const Shape& other = world_.shapes[world_.proxyShapes[static_cast<std::uint32_t>(id)]];
-                if (other.body == slot || !mayTouch(world_, shape, other)) { return; }
-                strike({slot, other.body, shape.proxy, other.proxy});
+                const std::uint32_t other = world_.proxyShapes[static_cast<std::uint32_t>(id)];
+                if (world_.shapes[other].body != slot && mayTouch(world_, shape, world_.shapes[other])) {
+                    met.push_back(other);
+                }
             });
+            std::sort(met.begin(), met.end());
+            for (const std::uint32_t other : met) {
+                strike({slot, world_.shapes[other].body, shape.proxy, world_.shapes[other].proxy});
+            }
         }
     }
 
@@ -158,7 +167,6 @@ private:
         return place != members.end() && place->body == slot ? place->lowest : kNoIndex;
     }
 
-    /// Whatever comes first, the same is left.
     static bool isMore(const Blow& blow, const Blow& than) {
         return blow.length > than.length || (blow.length == than.length && blow.mass > than.mass);
     }

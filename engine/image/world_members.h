@@ -38,8 +38,8 @@ constexpr auto allMembers(T& pairs) {
 
 template <MaybeConst<Stirs> T>
 constexpr auto allMembers(T& stirs) {
-    static_assert(areAllListed<Stirs>(5));
-    return listed(stirs.bodies, leftOut(stirs.strikers), leftOut(stirs.moves), leftOut(stirs.noted),
+    static_assert(areAllListed<Stirs>(6));
+    return listed(stirs.bodies, leftOut(stirs.strikers), leftOut(stirs.moves), leftOut(stirs.met), leftOut(stirs.noted),
                   leftOut(stirs.blows));
 }
 
@@ -73,8 +73,9 @@ constexpr auto allMembers(T& w) {
                leftOut(w.bulletWork), leftOut(w.bodyPlaces), leftOut(w.flightScratch), leftOut(w.clashScratch),
                // What the last step did, and when it was.
                w.contactEvents, w.eventsToCome, w.eventsBetween, leftOut(w.eventPlaces), leftOut(w.sortedEvents),
-               w.jointBreaks, w.bodiesPutBack, w.lostTime, w.impactPoses, w.counters, w.stageTimes, w.forcesGiven,
-               w.pushedAsleep, w.steps, w.lastDt, w.closingTime, w.closingStretch, w.recentSteps, w.wokenBySteps);
+               w.jointBreaks, w.bodiesPutBack, w.bodiesFellAsleep, w.lostTime, w.impactPoses, w.counters, w.stageTimes,
+               w.forcesGiven, w.pushedAsleep, w.steps, w.lastDt, w.closingTime, w.closingStretch, w.recentSteps,
+               w.wokenBySteps);
     static_assert(areAllListed<WorldState>(1 + decltype(all)::kCount), "the one more is the base, `Workers`");
     return all;
 }

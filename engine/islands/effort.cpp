@@ -261,7 +261,7 @@ void listLoosened(WorldState& world) {
 }  // namespace
 
 void assignEfforts(WorldState& world, double dt) {
-    if (world.counters.solvedBodies == 0) { return; }
+    if (world.tied.empty()) { return; }
     const bool budgeted = hasErrorBudget(world.settings);
     const bool isByLoad = world.settings.profile == Profile::accurate || budgeted;
     if (isByLoad) { assignByLoad(world, dt); }

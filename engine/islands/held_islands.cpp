@@ -1,6 +1,7 @@
 #include "held_islands.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "../bodies/awake.h"
@@ -40,8 +41,10 @@ void addBody(WorldState& world, std::uint32_t place, std::uint32_t slot) {
     world.motions[slot].angularVelocity = 0;
     noteRest(world, slot);
     if (!world.settings.sleep) { return; }
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    const double time = body.def.allowSleep ? restTimeOf(world, body) - body.restTime : kNever;
     island.stepsToSleep = std::max(island.stepsToSleep, kRestSteps - body.restSteps);
-    island.timeToSleep = std::max(island.timeToSleep, restTimeOf(world, body) - body.restTime);
+    island.timeToSleep = std::max(island.timeToSleep, time);
 }
 
 void fallAsleepTogether(WorldState& world, std::uint32_t place) {
@@ -51,6 +54,7 @@ void fallAsleepTogether(WorldState& world, std::uint32_t place) {
         Body& body = world.bodies[slot];
         body.heldIn = kNoIndex;
         body.restSteps += world.held.list[place].restSteps;
+        world.bodiesFellAsleep.push_back(world.bodies.idOf(slot));
         slot = body.nextAsleep;
     } while (slot != first);
     world.counters.fellAsleep += world.held.list[place].bodies;

@@ -62,6 +62,7 @@ bool staysByItself(const WorldState& world, const Body& body, const BodyMotion& 
 
 bool isTired(const WorldState& world, const Body& body, const BodyMotion& motion) {
     if (body.restSteps < kRestSteps || body.restTime < restTimeOf(world, body)) { return false; }
+    if (!body.def.allowSleep) { return false; }
     return body.hasContact || body.holdingJoints > 0 || staysByItself(world, body, motion);
 }
 
@@ -135,6 +136,32 @@ void fallAsleep(WorldState& world, std::uint32_t slot) {
     world.islandRing[root] = slot;
     ++world.parked.rested;
     ++world.counters.fellAsleep;
+    world.bodiesFellAsleep.push_back(world.bodies.idOf(slot));
+}
+
+/// Of all that is awake, as it was counted, whole islands fall asleep.
+void restIslands(WorldState& world) {
+    const std::vector<Tiredness>& tiredness = world.tiredness;
+    world.islandRestless.resize(world.bodies.slotCount());
+    world.islandRing.resize(world.bodies.slotCount());
+    for (const std::uint32_t slot : world.awake) {  // and so all roots
+        world.islandRestless[slot] = 0;
+        world.islandRing[slot] = kNoIndex;
+    }
+    for (std::size_t i = 0; i < world.awake.size(); ++i) {
+        if (tiredness[i] == Tiredness::restless) { world.islandRestless[world.islands.find(world.awake[i])] = 1; }
+    }
+    keepAwakeByDrives(world);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < world.awake.size(); ++i) {
+        const std::uint32_t slot = world.awake[i];
+        if (tiredness[i] != Tiredness::kinematic && world.islandRestless[world.islands.find(slot)] == 0) {
+            fallAsleep(world, slot);
+        } else {
+            world.awake[kept++] = slot;
+        }
+    }
+    world.awake.resize(kept);
 }
 
 /// A kinematic body got where the box of its step ends. The next step makes the box for what it moves then, before
@@ -194,27 +221,9 @@ void putToSleep(WorldState& world, double dt) {
     countRests(world, dt);
     // Where all moves, which is most steps of what is awake, no island is asked.
     const std::vector<Tiredness>& tiredness = world.tiredness;
-    if (std::find(tiredness.begin(), tiredness.end(), Tiredness::tired) == tiredness.end()) { return; }
-    world.islandRestless.resize(world.bodies.slotCount());
-    world.islandRing.resize(world.bodies.slotCount());
-    for (const std::uint32_t slot : world.awake) {  // and so all roots
-        world.islandRestless[slot] = 0;
-        world.islandRing[slot] = kNoIndex;
-    }
-    for (std::size_t i = 0; i < world.awake.size(); ++i) {
-        if (tiredness[i] == Tiredness::restless) { world.islandRestless[world.islands.find(world.awake[i])] = 1; }
-    }
-    keepAwakeByDrives(world);
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < world.awake.size(); ++i) {
-        const std::uint32_t slot = world.awake[i];
-        if (tiredness[i] != Tiredness::kinematic && world.islandRestless[world.islands.find(slot)] == 0) {
-            fallAsleep(world, slot);
-        } else {
-            world.awake[kept++] = slot;
-        }
-    }
-    world.awake.resize(kept);
+    if (std::find(tiredness.begin(), tiredness.end(), Tiredness::tired) != tiredness.end()) { restIslands(world); }
+    std::vector<BodyId>& asleep = world.bodiesFellAsleep;
+    std::sort(asleep.begin(), asleep.end(), [](BodyId a, BodyId b) { return a.index < b.index; });
 }
 
 void countLostTime(WorldState& world) {

@@ -24,6 +24,7 @@ struct Stirs {
     // Scratch of `findStirred`:
     std::vector<std::uint32_t> strikers;  ///< slots of what moves enough to strike anything
     std::vector<std::uint8_t> moves;      ///< by body slot: whether it does; zeros between steps
+    std::vector<std::uint32_t> met;       ///< slots of shapes that one of them comes to
     std::vector<std::uint32_t> noted;     ///< slots of what has a blow
     std::vector<Blow> blows;              ///< by body slot; none between steps
 };

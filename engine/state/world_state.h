@@ -64,7 +64,7 @@ enum class Tiredness : std::uint8_t { kinematic, restless, tired };
 /// Nothing in it refers to a place in it from one step to the next, so that a copy goes on like the original.
 struct WorldState : Workers {
     WorldSettings settings;
-    const ContactFilter* contactFilter = nullptr;  ///< of the user's
+    const ContactFilter* contactFilter = nullptr;  ///< the user's
     SlotPool<Body, BodyId> bodies;
     std::vector<BodyMotion> motions;  ///< by body slot
     /// By body slot: in its present solve, of what that moves or may meet; between solves `kFixedSlot`, all of them.
@@ -129,9 +129,9 @@ struct WorldState : Workers {
     Scratch<std::vector<Slide>> slides;                  ///< by contact, of this step, until ghosts are dropped
     PairTable pairs;                                     ///< of shape slots that have a contact
     Scratch<std::vector<ContactPair>> droppedPairs;      ///< scratch: of these, some to be dropped together
-    Scratch<RawVector<TouchingPair>> touching;           ///< in order of the probes; of this step, until the solve
+    Scratch<RawVector<TouchingPair>> touching;           ///< in order of the probes; of this step
     HemmedPairs hemmed;                                  ///< likewise
-    Landings landings;                                   ///< likewise
+    Landings landings;                                   ///< likewise, until the solve
     SleepingPairs sleepingPairs;
     std::vector<ChainPasser> chainPassers;     ///< of this step, in order
     std::vector<ChainPasser> crossed;          ///< in which sweeps of the last one ended, in order; none is stale
@@ -184,6 +184,7 @@ struct WorldState : Workers {
     Scratch<std::vector<ContactEvent>> sortedEvents;  ///< scratch of `sortEvents`
     std::vector<JointBreakEvent> jointBreaks;
     std::vector<BodyId> bodiesPutBack;
+    std::vector<BodyId> bodiesFellAsleep;
     std::vector<LostTimeEntry> lostTime;
     std::vector<ImpactPose> impactPoses;
     StepCounters counters;

@@ -116,15 +116,21 @@ struct Scenery {
     /// Bodies with two shapes: the small one in the middle has an id of its own, its body tells.
     bool isOf(const Item& item, ShapeId id) const { return world.bodyOf(id) == item.body; }
 
+    std::optional<Real> rayFraction(const Item& item, DVec2 from, Vec2 along) const {
+        std::optional<Real> best;
+        const WorldTransform frame = pose(item);
+        for (const Polygon& part : item.parts) {
+            const RayCastHit hit = rayCast(part, applyInverse(frame, from), unrotate(frame.rotation, along), 1);
+            if (hit.hit && (!best || hit.fraction < *best)) { best = hit.fraction; }
+        }
+        return best;
+    }
     std::optional<Real> rayFraction(const QueryFilter& query, DVec2 from, Vec2 along) const {
         std::optional<Real> best;
         for (const Item& item : items) {
             if (!sees(query, item)) { continue; }
-            for (const Polygon& part : item.parts) {
-                const WorldTransform frame = pose(item);
-                const RayCastHit hit = rayCast(part, applyInverse(frame, from), unrotate(frame.rotation, along), 1);
-                if (hit.hit && (!best || hit.fraction < *best)) { best = hit.fraction; }
-            }
+            const std::optional<Real> fraction = rayFraction(item, from, along);
+            if (fraction && (!best || *fraction < *best)) { best = fraction; }
         }
         return best;
     }
@@ -173,6 +179,53 @@ TEST(Queries, RaysAgreeWithAWalkOverAllShapes) {
         }
     }
     EXPECT_GT(hits, 1'000);
+}
+
+TEST(Queries, RaysAtOneShapeMeetIt) {
+    int hits = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        for (const DVec2 origin : origins()) {
+            Scenery s(seed, origin);
+            for (int i = 0; i < 20; ++i) {
+                const DVec2 from = s.place(10);
+                const Vec2 along = toReal(s.place(10) - from);
+                for (const Item& item : s.items) {
+                    // The nearest of what its shapes answer is the nearest of the body.
+                    std::optional<Real> nearest;
+                    s.world.visitShapes(item.body, [&](ShapeId shape) {
+                        const CastHit hit = s.world.castRay(shape, from, along);
+                        if (!hit.hit) { return; }
+                        ASSERT_EQ(hit.shape, shape);
+                        ASSERT_EQ(hit.body, item.body);
+                        ASSERT_LT(hit.segment, s.world.segmentCount(shape));
+                        const DVec2 point = from + static_cast<double>(hit.fraction) * toDouble(along);
+                        ASSERT_LT(length(hit.point - point), 1e-4) << "seed " << seed << " ray " << i;
+                        if (!nearest || hit.fraction < *nearest) { nearest = hit.fraction; }
+                    });
+                    const std::optional<Real> wanted = s.rayFraction(item, from, along);
+                    ASSERT_EQ(nearest.has_value(), wanted.has_value()) << "seed " << seed << " ray " << i;
+                    if (!nearest) { continue; }
+                    ++hits;
+                    ASSERT_NEAR(static_cast<double>(*nearest), static_cast<double>(*wanted),
+                                16 * static_cast<double>(kEpsilon))
+                        << "seed " << seed << " ray " << i;
+                }
+            }
+        }
+    }
+    EXPECT_GT(hits, 1'000);
+    World world = makeWorld();
+    const BodyId body = world.createBody({}).value();
+    const ShapeId shape = world.addShape(body, box(1, 1)).value();
+    EXPECT_TRUE(world.castRay(shape, {-5, 0}, vec(10, 0)).hit);
+    EXPECT_FALSE(world.castRay(shape, {-5, 0}, vec(0, 0)).hit);
+    EXPECT_FALSE(world.castRay(ShapeId{}, {-5, 0}, vec(10, 0)).hit);
+    EXPECT_FALSE(world.castRay(shape, {std::numeric_limits<double>::quiet_NaN(), 0}, vec(10, 0)).hit);
+    ASSERT_TRUE(world.setEnabled(body, false).ok());
+    EXPECT_FALSE(world.castRay({-5, 0}, vec(10, 0)).hit);
+    EXPECT_TRUE(world.castRay(shape, {-5, 0}, vec(10, 0)).hit);
+    ASSERT_TRUE(world.destroyShape(shape).ok());
+    EXPECT_FALSE(world.castRay(shape, {-5, 0}, vec(10, 0)).hit);
 }
 
 TEST(Queries, OverlapsAgreeWithAWalkOverAllShapes) {

@@ -1,8 +1,12 @@
-#include "world_support.h"
-
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <vector>
+
+#include "../support/random.h"
+#include "../support/some_of.h"
+#include "world_support.h"
 
 /// What something heavy and fast runs into is thrown at its neighbours within the same step, and meets them there: in
 /// `accurate`, contacts know of them before.
@@ -99,6 +103,45 @@ TEST(Stirred, CopiesGoOnAlike) {
         EXPECT_EQ(world.position(ball), copy.position(ball));
         EXPECT_EQ(world.velocity(ball), copy.velocity(ball));
         EXPECT_LT(world.position(ball).y, 3);
+    }
+}
+
+/// A crowd of all masses, some of it fast.
+World crowd(std::uint64_t seed, BroadphaseKind kind) {
+    WorldSettings settings = awakeSettings(Profile::accurate);
+    settings.broadphase = kind;
+    World world = makeWorld(settings);
+    addStatic(world, box(50, 1), material(0.6), {0, -1});
+    Random random(seed);
+    for (int i = 0; i < 120; ++i) {
+        BodyDef def = dynamicAt({random.range(-8, 8), random.range(0.5, 9)});
+        const double pace = random.chance(0.6) ? 0.05 : 1;
+        const double x = pace * random.range(-25, 25);
+        def.velocity = vec(x, pace * random.range(-15, 15));
+        def.mass = real(std::exp(random.range(-1, 6)));
+        addBody(world, def, circle(random.range(0.15, 0.4)), material(0.6));
+    }
+    return world;
+}
+
+/// Whom a striker comes to is told in an order that is the broadphase's own: it does not matter.
+TEST(Stirred, IsTheSameToTheBitWithEveryBroadphase) {
+    for (std::uint64_t seed = 0; seed < someOf(std::uint64_t{30}); ++seed) {
+        World usual = crowd(seed, BroadphaseKind::automatic);
+        std::vector<std::uint64_t> hashes;
+        for (int i = 0; i < 60; ++i) {
+            run(usual, 1);
+            hashes.push_back(usual.stateHash());
+        }
+        for (const BroadphaseKind kind : {BroadphaseKind::allPairs, BroadphaseKind::sortAndSweep,
+                                          BroadphaseKind::quadtree, BroadphaseKind::grid, BroadphaseKind::bvh}) {
+            World world = crowd(seed, kind);
+            for (std::size_t i = 0; i < hashes.size(); ++i) {
+                run(world, 1);
+                ASSERT_EQ(world.stateHash(), hashes[i])
+                    << "seed " << seed << " kind " << static_cast<int>(kind) << " step " << i;
+            }
+        }
     }
 }
 

@@ -97,6 +97,7 @@ private:
         def.fixedRotation = random().chance(0.1);
         def.awake = random().chance(0.9);
         def.enabled = random().chance(0.95);
+        def.allowSleep = random().chance(0.9);
         if (random().chance(0.2)) { def.continuous = static_cast<ContinuousMode>(random().integer(0, 5)); }
         return def;
     }

@@ -151,6 +151,7 @@ private:
         if (often()) { b.gravityScale = number(); }
         b.awake = often();
         b.enabled = often();
+        b.allowSleep = often();
         if (often()) { b.continuous = continuous(); }
         if (isDynamic) {
             b.mass = maybe(positive());

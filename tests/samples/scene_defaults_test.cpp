@@ -112,7 +112,8 @@ TEST(SceneKeys, OfSceneViewAndSettings) {
 TEST(SceneKeys, OfBodies) {
     const SceneDescription scene = readGood(R"({"bodies": [{"name": "b", "type": "dynamic", "position": [1, 2],
         "angle": 0.5, "velocity": [3, 4], "angularVelocity": 5, "bullet": true, "fixedRotation": false,
-        "linearDamping": 0.1, "angularDamping": 0.2, "gravityScale": -1, "awake": false, "enabled": false, "continuous": "off",
+        "linearDamping": 0.1, "angularDamping": 0.2, "gravityScale": -1, "awake": false, "allowSleep": false,
+        "enabled": false, "continuous": "off",
         "mass": 6, "inertia": 7, "shapes": []}, {"type": "dynamic", "mass": 1, "fixedRotation": true},
         {"type": "dynamic", "mass": 1, "fixedRotation": true, "inertia": 2}]})");
     BodyDescription expected;
@@ -127,6 +128,7 @@ TEST(SceneKeys, OfBodies) {
     expected.angularDamping = 0.2;
     expected.gravityScale = -1;
     expected.awake = false;
+    expected.allowSleep = false;
     expected.enabled = false;
     expected.continuous = SceneContinuous::off;
     expected.mass = 6;

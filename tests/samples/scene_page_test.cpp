@@ -158,6 +158,7 @@ TEST(ScenePage, StatesTheDefaults) {
     expectDefault("### Body", "gravityScale", number(body.gravityScale));
     expectDefault("### Body", "linearDamping", number(body.linearDamping));
     expectDefault("### Body", "awake", body.awake ? "true" : "false");
+    expectDefault("### Body", "allowSleep", body.allowSleep ? "true" : "false");
     expectDefault("### Body", "enabled", body.enabled ? "true" : "false");
     expectDefault("### Body", "bullet", body.bullet ? "true" : "false");
     expectDefault("### Body", "type", "`\"" + std::string(namesOf<SceneBodyType>()[std::size_t(body.type)]) + "\"`");

@@ -202,7 +202,7 @@ b2BodyDef definitionOf(const BodyDescription& body, const SettingsDescription& s
     definition.isBullet = body.bullet;
     definition.isAwake = body.awake;
     definition.isEnabled = body.enabled;
-    definition.enableSleep = settings.sleep;
+    definition.enableSleep = settings.sleep && body.allowSleep;
     return definition;
 }
 

@@ -39,7 +39,7 @@ b2BodyDef definitionOf(const BodyDescription& body, const SettingsDescription& s
     definition.bullet = body.bullet;
     definition.awake = body.awake;
     definition.enabled = body.enabled;
-    definition.allowSleep = settings.sleep;
+    definition.allowSleep = settings.sleep && body.allowSleep;
     return definition;
 }
 
