@@ -7,6 +7,7 @@
 
 #include "../../solver/direct/start_balance.h"
 #include "../contacts/contact_tests.h"
+#include "../containers/island_items.h"
 #include "../state/profile.h"
 #include "../state/tolerances.h"
 #include "joint_builder.h"
@@ -119,23 +120,58 @@ bool areAtRest(const WorldState& world, std::span<const std::uint32_t> bodies) {
                         [&world](std::uint32_t slot) { return isOnTheMove(world, slot); });
 }
 
-/// @return bodies of the island, or 0 when nothing was sought
-std::size_t startIslandOf(WorldState& world, std::uint32_t root, double dt) {
-    const Effort effort = world.bodies[root].effort;
-    if (effort.direct != DirectScope::none || effort.isSettled) { return 0; }
-    std::vector<std::uint32_t> bodies;
+/// What the islands that are sought consist of, by their numbers: one look at all that there is, however many they are.
+struct StartLists {
+    std::vector<std::uint32_t> roots;  ///< by number: slots
+    IslandItems bodies;                ///< slots
+    IslandItems joints;                ///< slots
+    IslandItems touching;              ///< places in `WorldState::touching`
+};
+
+StartLists listIslands(WorldState& world, const StartMarks& marks) {
+    StartLists lists;
+    std::vector<std::uint32_t> numbers(world.bodies.slotCount(), kNoIndex);
     for (const std::uint32_t slot : world.tied) {
-        if (world.islands.find(slot) == root) { bodies.push_back(slot); }
+        if (marks.isMeant[slot] == 0 || marks.isHeld[slot] == 0) { continue; }
+        const Effort effort = world.bodies[slot].effort;
+        if (effort.direct != DirectScope::none || effort.isSettled) { continue; }
+        numbers[slot] = static_cast<std::uint32_t>(lists.roots.size());
+        lists.roots.push_back(slot);
     }
-    if (bodies.size() > kMostStartBodies || !areAtRest(world, bodies)) { return 0; }
-    std::vector<std::uint32_t> joints;
+    const auto numberOf = [&world, &numbers](std::uint32_t slot) { return numbers[world.islands.find(slot)]; };
+    const auto add = [](IslandItems& items, std::uint32_t number, std::uint32_t item) {
+        if (number != kNoIndex) { items.add(number, item); }
+    };
+    for (const std::uint32_t slot : world.tied) { add(lists.bodies, numberOf(slot), slot); }
     for (const std::uint32_t joint : world.activeJoints) {
         const std::uint32_t body = dynamicBodyOf(world, joint);
-        if (body != kNoIndex && world.islands.find(body) == root) { joints.push_back(joint); }
+        if (body != kNoIndex) { add(lists.joints, numberOf(body), joint); }
     }
-    startIsland(
-        world,
-        {.desk = world.mainDesk, .effort = effort, .bodies = bodies, .contacts = world.contacts, .joints = joints}, dt);
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(world.touching.size()); ++i) {
+        const TouchingPair& pair = world.touching[i];
+        const std::uint32_t ofA = pair.dynamicA ? numberOf(pair.bodyA) : kNoIndex;
+        const std::uint32_t ofB = pair.dynamicB ? numberOf(pair.bodyB) : kNoIndex;
+        add(lists.touching, ofA, i);
+        if (ofB != ofA) { add(lists.touching, ofB, i); }
+    }
+    for (IslandItems* items : {&lists.bodies, &lists.joints, &lists.touching}) { items->sort(lists.roots.size()); }
+    return lists;
+}
+
+/// @return bodies of the island, or 0 when nothing was sought
+std::size_t startIslandOf(WorldState& world, const StartLists& lists, std::size_t number, double dt) {
+    const std::span<const std::uint32_t> bodies = lists.bodies.of(number);
+    if (bodies.size() > kMostStartBodies || !areAtRest(world, bodies)) { return 0; }
+    std::vector<TouchingPair> touching;
+    for (const std::uint32_t i : lists.touching.of(number)) { touching.push_back(world.touching[i]); }
+    startIsland(world,
+                {.desk = world.mainDesk,
+                 .effort = world.bodies[lists.roots[number]].effort,
+                 .bodies = bodies,
+                 .contacts = world.contacts,
+                 .touching = touching,
+                 .joints = lists.joints.of(number)},
+                dt);
     return bodies.size();
 }
 
@@ -148,13 +184,10 @@ void startJoints(WorldState& world, double dt) {
     }
     const StartMarks marks = markIslands(world);
     world.newJoints.clear();
-    std::vector<std::uint32_t> roots;
-    for (const std::uint32_t slot : world.tied) {
-        if (marks.isMeant[slot] != 0 && marks.isHeld[slot] != 0) { roots.push_back(slot); }
-    }
+    const StartLists lists = listIslands(world, marks);
     world.mainDesk.loops = world.loops;
     std::size_t bodies = 0;
-    for (const std::uint32_t root : roots) { bodies += startIslandOf(world, root, dt); }
+    for (std::size_t i = 0; i < lists.roots.size(); ++i) { bodies += startIslandOf(world, lists, i, dt); }
     world.startPause = static_cast<std::uint32_t>(bodies / kBodiesOfPause);
 }
 

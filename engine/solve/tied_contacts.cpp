@@ -90,7 +90,7 @@ template <class Visit>
 void TiedContacts::forEachLink(const Visit& visit) const {
     ContactLink link;
     if (group_.role == BodyRole::solved) {
-        for (const TouchingPair& pair : world_.touching) {
+        for (const TouchingPair& pair : group_.touching) {
             if (linkIfTied(link, pair.contact, pair.bodyA, pair.bodyB, pair)) { visit(link); }
         }
         return;
@@ -224,7 +224,7 @@ std::size_t TiedContacts::link() {
         });
         return bouncing;
     }
-    const std::span<const TouchingPair> pairs = world_.touching;
+    const std::span<const TouchingPair> pairs = group_.touching;
     batch.links.resize(pairs.size());
     std::vector<LinkCounts>& counts = group_.desk.linkCounts;
     counts.resize((pairs.size() + kPairsPerBlock - 1) / kPairsPerBlock);

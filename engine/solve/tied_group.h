@@ -14,7 +14,8 @@ struct TiedGroup {
     Effort effort;                          ///< of those; how they are solved, but for the sub-steps
     std::span<const std::uint32_t> bodies;  ///< slots, those of kinematic bodies that may touch among them
     std::span<Contact> contacts;
-    std::span<const std::uint32_t> joints;  ///< slots
+    std::span<const TouchingPair> touching{};  ///< of role `solved`: which of these have points
+    std::span<const std::uint32_t> joints;     ///< slots
 };
 
 inline bool isMember(const Body& body, const TiedGroup& group) {

@@ -114,6 +114,7 @@ bool solveClass(WorldState& world, Effort effort, double dt) {
                     .effort = effort,
                     .bodies = world.kinematicBodies > 0 ? std::span<const std::uint32_t>(world.awake) : world.tied,
                     .contacts = world.contacts,
+                    .touching = world.touching,
                     .joints = world.tiedJoints},
                    {.length = dt, .dt = dt, .subSteps = subStepsFor(effort, subStepsOf(world.settings))});
     clearDesk(world, desk);
@@ -141,7 +142,7 @@ void moveFreeBodies(WorldState& world, double dt) {
 
 void solveTiedBodies(WorldState& world, double dt) {
     world.anyFlung = false;
-    if (world.counters.solvedBodies == 0) { return; }
+    if (world.tied.empty()) { return; }
     const bool areAllSolved = !world.fastIslands.any;
     const bool budgeted = hasErrorBudget(world.settings);
     listClasses(world, areAllSolved, budgeted);
