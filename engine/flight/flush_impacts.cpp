@@ -1,6 +1,6 @@
 #include "flush_impacts.h"
 
-#include <cstddef>
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,55 +18,82 @@ struct PlacedPoint {
     std::uint32_t point = 0;
 };
 
+/// The two ends of what touches one ground.
+struct Ends {
+    PlacedPoint own;
+    PlacedPoint guest;
+    std::uint32_t points = 0;  ///< of all its constraints
+
+    /// More points than one constraint has room for, and none has both ends.
+    bool areOfSeveral() const { return points > 2 && own.constraint != guest.constraint; }
+};
+
 bool areOfOneGround(const ContactConstraint& a, const ContactConstraint& b) {
     return b.slotA == kFixedSlot && b.slotB == a.slotB && a.friction == b.friction && a.restitution == b.restitution &&
            a.surfaceSpeed == b.surfaceSpeed && dot(a.normal, b.normal) > kSameNormal;
 }
 
-/// With those that follow it in the list, and are of one ground with it.
+/// A constraint, and those that follow it in the list and are of one ground with it.
 /// @param isTaken  by constraint: stands in another one already, or was left out
-void mergeFrom(const Flight& flight, std::size_t first, std::vector<std::uint8_t>& isTaken) {
-    FlightScratch& scratch = *flight.scratch;
-    const ContactConstraint& one = scratch.constraints[first];
-    const Vec2 along = rightPerp(one.normal);
-    const auto isOfIt = [&](std::size_t i) {
-        return i == first || (isTaken[i] == 0 && areOfOneGround(one, scratch.constraints[i]));
-    };
-    PlacedPoint own;
-    PlacedPoint guest;
-    std::uint32_t points = 0;
-    // Where the flyer is tilted some normals are its own.
-    const ContactConstraint* ofGround = nullptr;
-    for (std::size_t i = first; i < scratch.constraints.size(); ++i) {
-        if (!isOfIt(i)) { continue; }
-        const ContactConstraint& constraint = scratch.constraints[i];
-        if (ofGround == nullptr && !scratch.obstacles[constraint.source].hasOwnNormal) { ofGround = &constraint; }
-        for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(constraint.count); ++k) {
-            const PlacedPoint point{dot(constraint.points[k].anchorB, along), static_cast<std::uint32_t>(i), k};
-            if (points == 0 || point.place < own.place) { own = point; }
-            if (points == 0 || point.place > guest.place) { guest = point; }
-            ++points;
+void listOneGround(FlightScratch& scratch, std::uint32_t first, const std::vector<std::uint8_t>& isTaken) {
+    std::vector<std::uint32_t>& found = scratch.ofOneGround;
+    found.assign(1, first);
+    for (std::uint32_t i = first + 1; i < static_cast<std::uint32_t>(scratch.constraints.size()); ++i) {
+        if (isTaken[i] == 0 && areOfOneGround(scratch.constraints[first], scratch.constraints[i])) {
+            found.push_back(i);
         }
     }
-    if (points < 3 || own.constraint == guest.constraint || ofGround == nullptr) { return; }
-    const GroundContact ground = groundContactOf(flight, *ofGround);
-    for (std::size_t i = first; i < scratch.constraints.size(); ++i) {
-        if (isOfIt(i) && !areFlush(ground, groundContactOf(flight, scratch.constraints[i]))) { return; }
+}
+
+Ends endsOf(const FlightScratch& scratch) {
+    Ends ends;
+    const Vec2 along = rightPerp(scratch.constraints[scratch.ofOneGround.front()].normal);
+    for (const std::uint32_t i : scratch.ofOneGround) {
+        const ContactConstraint& constraint = scratch.constraints[i];
+        for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(constraint.count); ++k) {
+            const PlacedPoint point{dot(constraint.points[k].anchorB, along), i, k};
+            if (ends.points == 0 || point.place < ends.own.place) { ends.own = point; }
+            if (ends.points == 0 || point.place > ends.guest.place) { ends.guest = point; }
+            ++ends.points;
+        }
     }
+    return ends;
+}
+
+/// Where the flyer is tilted some normals are its own. @return null: all are
+const ContactConstraint* withNormalOfGround(const FlightScratch& scratch) {
+    for (const std::uint32_t i : scratch.ofOneGround) {
+        const ContactConstraint& constraint = scratch.constraints[i];
+        if (!scratch.obstacles[constraint.source].hasOwnNormal) { return &constraint; }
+    }
+    return nullptr;
+}
+
+/// With those that follow it in the list, and are of one ground with it.
+/// @param isTaken  as of listOneGround
+void mergeFrom(const Flight& flight, std::uint32_t first, std::vector<std::uint8_t>& isTaken) {
+    FlightScratch& scratch = *flight.scratch;
+    listOneGround(scratch, first, isTaken);
+    const Ends ends = endsOf(scratch);
+    const ContactConstraint* const ofGround = withNormalOfGround(scratch);
+    if (!ends.areOfSeveral() || ofGround == nullptr) { return; }
+    const GroundContact ground = groundContactOf(flight, *ofGround);
+    const bool isFlush = std::all_of(scratch.ofOneGround.begin(), scratch.ofOneGround.end(), [&](std::uint32_t i) {
+        return areFlush(ground, groundContactOf(flight, scratch.constraints[i]));
+    });
+    if (!isFlush) { return; }
     FlushImpact& impact = scratch.flushImpacts.emplace_back();
-    impact = {.both = scratch.constraints[own.constraint],
-              .own = own.constraint,
-              .guest = guest.constraint,
-              .pointOfOwn = own.point,
-              .pointOfGuest = guest.point};
+    impact = {.both = scratch.constraints[ends.own.constraint],
+              .own = ends.own.constraint,
+              .guest = ends.guest.constraint,
+              .pointOfOwn = ends.own.point,
+              .pointOfGuest = ends.guest.point};
     impact.both.normal = ofGround->normal;
     impact.both.count = 2;
-    impact.both.points = {scratch.constraints[own.constraint].points[own.point],
-                          scratch.constraints[guest.constraint].points[guest.point]};
+    impact.both.points = {scratch.constraints[impact.own].points[impact.pointOfOwn],
+                          scratch.constraints[impact.guest].points[impact.pointOfGuest]};
     prepareContact(impact.both, scratch.inertias);
-    for (std::size_t i = first; i < scratch.constraints.size(); ++i) {
-        if (isOfIt(i)) { isTaken[i] = 1; }
-    }
+    for (const std::uint32_t i : scratch.ofOneGround) { isTaken[i] = 1; }
 }
 
 void giveBack(ContactConstraintPoint& to, const ContactConstraintPoint& from) {
@@ -79,16 +106,16 @@ void giveBack(ContactConstraintPoint& to, const ContactConstraintPoint& from) {
 void mergeFlushImpacts(const Flight& flight) {
     FlightScratch& scratch = *flight.scratch;
     scratch.flushImpacts.clear();
-    const std::size_t count = scratch.constraints.size();
+    const auto count = static_cast<std::uint32_t>(scratch.constraints.size());
     if (count < 2) { return; }
     std::vector<std::uint8_t>& isTaken = scratch.isMerged;
     isTaken.assign(count, 0);
-    for (std::size_t i = 0; i + 1 < count; ++i) {
+    for (std::uint32_t i = 0; i + 1 < count; ++i) {
         if (isTaken[i] == 0 && scratch.constraints[i].slotA == kFixedSlot) { mergeFrom(flight, i, isTaken); }
     }
     if (scratch.flushImpacts.empty()) { return; }
     scratch.order.clear();
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::uint32_t i = 0; i < count; ++i) {
         if (isTaken[i] == 0) { scratch.order.push_back(&scratch.constraints[i]); }
     }
     for (FlushImpact& impact : scratch.flushImpacts) { scratch.order.push_back(&impact.both); }

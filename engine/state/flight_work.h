@@ -107,7 +107,8 @@ struct alignas(kCacheLine) FlightScratch {
     std::vector<ContactConstraint> constraints;
     std::vector<ContactConstraint*> order;
     std::vector<FlushImpact> flushImpacts;
-    std::vector<std::uint8_t> isMerged;  ///< scratch: by constraint
+    std::vector<std::uint8_t> isMerged;      ///< scratch: by constraint
+    std::vector<std::uint32_t> ofOneGround;  ///< likewise: constraints
     ImpactScratch impact;
 
     bool isSunk = false;               ///< see `firstImpact`
