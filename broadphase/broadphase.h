@@ -103,7 +103,7 @@ public:
 
     /// Calls `visit(id, limit)` for each proxy whose box meets origin + t·direction with t ≤ limit. The visitor returns
     /// the new limit: the given one to go on, a smaller one to shorten the ray, 0 to stop (less, where the given one is
-    /// 0: up to there all that is met at the start is).
+    /// 0: up to there all that is met at the start is). All numbers are finite, and so are those of `sweep`.
     virtual void ray(DVec2 origin, DVec2 direction, Real maxFraction, FunctionRef<Real(ProxyId, Real)> visit) const = 0;
 
     /// The same for a box that is carried along `translation`.

@@ -6,9 +6,10 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// A loose quadtree: every square has four quarters, and a box stands in the smallest square that is no shorter than
-/// the box and holds its lower corner. All that stands in a square lies within a square of twice its size, so one place
-/// per box is enough, and it follows from size and corner alone (Ulrich, "Loose octrees", Game Programming Gems, 2000).
+/// A loose quadtree: every square has four quarters, and a box is put into the smallest square that is no shorter than
+/// the box and holds its lower corner, where it stays as long as it fits. All that stands in a square lies within a
+/// square of twice its size, so one place per box is enough, and it follows from size and corner alone (Ulrich, "Loose
+/// octrees", Game Programming Gems, 2000).
 /// The root grows as boxes come that it does not hold; squares that nothing stands in or below are given back.
 ///
 /// n proxies of which m moved, a tree of h levels (log₂ of the world over the smallest box: what comes is put

@@ -7,12 +7,14 @@ namespace {
 /// Entries under one hull: few enough to look at all of them, many enough to skip most.
 constexpr std::size_t kBlock = 64;
 
+/// About the first of them: far from the origin the squares would leave nothing of their difference.
 struct Variance {
+    double first;
     double sum = 0;
     double squares = 0;
     void add(double x) {
-        sum += x;
-        squares += x * x;
+        sum += x - first;
+        squares += (x - first) * (x - first);
     }
     double of(double count) const { return squares - sum * sum / count; }
 };
@@ -56,12 +58,18 @@ void SortAndSweep::renewEntries() {
 }
 
 void SortAndSweep::chooseAxis() {
-    Variance x;
-    Variance y;
-    for (const Entry& entry : all_.entries) {
+    if (all_.entries.empty()) { return; }
+    const auto middleOf = [this](const Entry& entry) {
         const Aabb& box = table().boxAt(entry.slot);
-        x.add(0.5 * static_cast<double>(box.lower.x) + 0.5 * static_cast<double>(box.upper.x));
-        y.add(0.5 * static_cast<double>(box.lower.y) + 0.5 * static_cast<double>(box.upper.y));
+        return 0.5 * toDouble(box.lower) + 0.5 * toDouble(box.upper);
+    };
+    const DVec2 first = middleOf(all_.entries.front());
+    Variance x{first.x};
+    Variance y{first.y};
+    for (const Entry& entry : all_.entries) {
+        const DVec2 middle = middleOf(entry);
+        x.add(middle.x);
+        y.add(middle.y);
     }
     constexpr double kClearly = 2;
     const auto count = static_cast<double>(all_.entries.size());

@@ -235,8 +235,7 @@ bool WideTree::prepareJoin(std::span<std::uint32_t> places, TaskSystem& loops) {
 bool WideTree::isWorthRebuilding() const {
     // A build takes about as long as joining every box between once (a thousand) and twice (ten thousand), so it pays
     // when the decay has cost that much already: what is lost is never more than twice what the best moment would have
-    // cost
-    // ("ski rental"). Decay counts what moves here; the other limit is for trees at rest that others move through.
+    // cost ("ski rental"). Decay counts what moves here; the other limit is for trees at rest that others move through.
     constexpr double kBuildInJoins = 1.5;
     return misplaced_ > kWide + size_ / 2 || decay_ > kBuildInJoins * size_;
 }

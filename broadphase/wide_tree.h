@@ -93,7 +93,7 @@ public:
     /// From here on all boxes are known, and nothing has moved.
     void finishJoin(TaskSystem& loops);
 
-    /// Number of levels; 0 when the tree is empty. The highest has one node.
+    /// Number of levels; 0 when nothing was ever put into it. The highest has one node.
     std::size_t height() const { return height_; }
     const WideBoxes* level(std::size_t index) const { return levels_[index].data(); }
     /// Boxes as they were when pairs were found last, parallel to level 0.

@@ -64,7 +64,7 @@ Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& bInA,
 Manifold collide(const ChainSegment& a, const Polygon& core, const Polygon& b, const Transform& bInA, Real margin,
                  ManifoldMemory& memory);
 
-/// @pre there is a point
+/// Of a manifold without points it means nothing.
 inline Real deepestSeparation(const Manifold& manifold) {
     const Real first = manifold.points[0].separation;
     const std::size_t other = manifold.count < 2 ? 0 : 1;  // no branch: which it is nothing foretells

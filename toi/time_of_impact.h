@@ -18,9 +18,9 @@ struct ToiPolygon {
 
 class ToiObserver;
 
-/// How much an answer tells beyond the event. The event (state, fraction, target, iterations, and the bracket of a hit)
-/// is the same for all. The contact (separation, normal, points, features, the bracket of other states) is told of
-/// these states, and else left as a new `Toi` has it:
+/// How much an answer tells beyond the event. The event (state, fraction, target, and the bracket of a hit) is the same
+/// for all; to tell the contact of what stays apart may take one more distance (`iterations`). The contact (separation,
+/// normal, points, features, the bracket of other states) is told of these states, and else left as a new `Toi` has it:
 ///
 ///     detail    hit   failed   separated   overlapped
 ///     event     yes   yes      no          no

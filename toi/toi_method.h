@@ -48,10 +48,9 @@ std::optional<ToiMethod> toiMethodFrom(std::string_view name);
 /// One signature for all methods. The state, the fraction and what is certain about them are the method's (see its
 /// header); separation, normal and witness points are those of the whole motion at the reported fraction, except for
 /// `shapeCast`, which reports the pose of its own motion, without rotation. The target is that of the settings. A
-/// bracket
-/// (`fractionLower`, `separationLower`) is given by `certified`, `shapeCast`, `conservativeAdvancement`, `bruteForce`
-/// and `separatingAxisRoot`, where it certifies nothing; of the others its other end is `fraction`. Features are named
-/// by `certified`, `shapeCast` and `discrete`.
+/// bracket (`fractionLower`, `separationLower`) is given by `certified`, `shapeCast`, `conservativeAdvancement`,
+/// `bruteForce` and `separatingAxisRoot`, where it certifies nothing; of the others its other end is `fraction`.
+/// Features are named by `certified`, `shapeCast` and `discrete`.
 /// @pre as for `timeOfImpact`.
 Toi timeOfImpactBy(ToiMethod method, const ToiPolygon& a, const Sweep& sweepA, const ToiPolygon& b, const Sweep& sweepB,
                    const ToiSettings& settings);

@@ -28,7 +28,8 @@ void advanceIsland(WorldState& world, IslandDesk& desk, double dt, FlightScratch
 bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, bool isJointed, double dt);
 
 /// Fraction of a part of the step, which was solved, at which the first member meets something; 1: none does. What a
-/// member is sunk into counts not: that holds it alone (`holdSunk`), and does not hold up its island again and again.
+/// member is sunk into does not count: that holds it alone (`holdSunk`), and does not hold up its island again and
+/// again.
 double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, const StepPart& part,
                      FlightScratch& scratch);
 /// Of a part of the step that was solved: members that are sunk into something get no deeper.
@@ -37,4 +38,5 @@ void holdSunk(WorldState& world, std::span<const std::uint32_t> members, const S
 /// Notes what fast members cross as the part ends (chain_crossing.h), if a search met the back of a chain.
 void noteCrossingsOf(const WorldState& world, std::span<const std::uint32_t> members, const StepPart& part,
                      FlightScratch& scratch);
+
 }  // namespace swept::inline SWEPT_PRECISION

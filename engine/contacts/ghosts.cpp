@@ -70,7 +70,11 @@ bool turnToFlushFace(const WorldState& world, Contact& contact, const Contact& s
     if (face < 0) { return false; }
     const Transform bInA = relativePoseOf(world, contact);
     const Real slop = kTargetRatio * contact.extent;
-    const Real margin = slop + std::max(contact.manifold.points[0].separation, contact.manifold.points[1].separation);
+    Real farthest = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        farthest = std::max(farthest, contact.manifold.points[i].separation);
+    }
+    const Real margin = slop + farthest;
     const Manifold onFace = collideOnFace(ground, face, world.shapes[contact.shapeB].polygon, bInA, margin, kFaceSine);
     if (onFace.count == 0) { return false; }
     takeManifold(contact, bInA, onFace);

@@ -9,7 +9,7 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// Contacts are parked as soon as so many times as many bodies as came to rest are not more than are awake.
+/// Contacts are parked as soon as so many times as many bodies as came to rest are not fewer than are awake.
 constexpr std::size_t kAwakePerRested = 8;
 
 void noteWhoIsUp(WorldState& world, std::uint8_t isUp) {

@@ -26,16 +26,19 @@ bool mayLeave(const BulletPartner& partner) {
     return partner.isBullet && partner.tied && !partner.stopped && partner.flight.body().holdingJoints == 0;
 }
 
-Sweep pathAfter(const BulletPartner& partner, double time) {
+double fractionAt(const BulletPartner& partner, double time) {
     const double length = partner.flight.dt - partner.pathFrom;
-    if (time <= partner.pathFrom || !(length > 0)) { return partner.path; }
-    return part(partner.path, std::min((time - partner.pathFrom) / length, 1 - 0x1p-52), 1);
+    return length > 0 ? std::min((time - partner.pathFrom) / length, 1.0) : 1;
+}
+
+Sweep pathAfter(const BulletPartner& partner, double time) {
+    if (time <= partner.pathFrom || partner.pathFrom >= partner.flight.dt) { return partner.path; }
+    return part(partner.path, std::min(fractionAt(partner, time), 1 - 0x1p-52), 1);
 }
 
 Sweep pathWith(const BulletPartner& rider, const BulletPartner& carrier, double time) {
     const Flight& flight = rider.flight;
-    const double length = carrier.flight.dt - carrier.pathFrom;
-    const double from = (time - carrier.pathFrom) / length;
+    const double from = fractionAt(carrier, time);
     const double turn = angleAt(carrier.path, 1) - angleAt(carrier.path, from);
     const Rotation rotation = rotationFromAngle(turn);
     const BodyMotion& motion = flight.motion;

@@ -70,8 +70,7 @@ void takeBackRest(WorldState& world, BulletPartner& partner, double time) {
 void takeOff(WorldState& world, BulletPartner& partner, double time) {
     Flight& flight = partner.flight;
     const Body& body = flight.body();
-    const double length = flight.dt - partner.pathFrom;
-    const BodyMotion now = motionAt(partner.path, (time - partner.pathFrom) / length, body.localCenter);
+    const BodyMotion now = motionAt(partner.path, fractionAt(partner, time), body.localCenter);
     flight.motion.center = now.center;
     flight.motion.angle = now.angle;
     flight.motion.pose = now.pose;
@@ -91,9 +90,7 @@ void bringTo(WorldState& world, BulletPartner& partner, double time) {
         partner.flight.elapsed = time;
         return;
     }
-    const double length = partner.flight.dt - partner.pathFrom;
-    const BodyMotion now =
-        motionAt(partner.path, (time - partner.pathFrom) / length, partner.flight.body().localCenter);
+    const BodyMotion now = motionAt(partner.path, fractionAt(partner, time), partner.flight.body().localCenter);
     partner.flight.motion.center = now.center;
     partner.flight.motion.angle = now.angle;
     partner.flight.motion.pose = now.pose;

@@ -22,6 +22,7 @@ bool isObstacle(const WorldState& world, const Shape& own, const Shape& other) {
 /// What is sunk in deeper than the slack, and therefore swept however slow it is, may stir up to so many slacks: what
 /// is pressed comes to rest somewhere there.
 constexpr double kMostSlacks = 2;
+
 ToiSettings settingsFor(const WorldState& world, const FlightObstacle& obstacle, double tMax) {
     return {.target = obstacle.level, .tolerance = toleranceOf(world, obstacle), .tMax = tMax};
 }

@@ -28,7 +28,7 @@ void forgetContactsOf(WorldState& world, std::uint32_t slot) {
     for (const std::uint32_t index : world.bodies[slot].joints) { forgetImpulses(world.joints[index]); }
 }
 
-/// What is no larger than `kLargestNumber` has no part that is.
+/// No part of it is larger than `kLargestNumber` unless the sum is.
 double sumOfParts(const BodyMotion& motion) {
     return (std::fabs(motion.center.x) + std::fabs(motion.center.y) + std::fabs(motion.angle)) +
            static_cast<double>(std::fabs(motion.velocity.x)) + static_cast<double>(std::fabs(motion.velocity.y)) +

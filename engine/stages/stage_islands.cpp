@@ -307,7 +307,7 @@ void advanceOne(WorldState& world, IslandDesk& desk, std::size_t island, double 
     }
 }
 
-/// Those that did not bounce off each other in flight, and not get through the step with all else.
+/// Those that neither bounced off each other in flight nor got through the step with all else.
 void listWaiting(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     fast.waiting.clear();

@@ -78,7 +78,8 @@ struct alignas(kCacheLine) Contact : ContactRow {
 };
 static_assert(sizeof(Contact) <= 48 * sizeof(Real), "a step reads most of some thousands");
 
-/// What the stage of contacts found of one in this step.
+/// What the stage of contacts found of one in this step; of a probe that is not in `ContactLists::noted`, in an earlier
+/// one.
 enum class ContactState : std::uint8_t {
     asleep,      ///< nothing: neither body is awake
     boxesApart,  ///< it ends

@@ -148,6 +148,8 @@ TEST_P(ToiCertificate, IsTheSameInEveryDetail) {
             const Toi toi = timeOfImpact(q.a, q.sweepA, q.b, q.sweepB, q.settings);
             ASSERT_EQ(toi.state, all.state) << q;
             ASSERT_EQ(toi.fraction, all.fraction) << q;
+            ASSERT_EQ(toi.target, all.target) << q;
+            ASSERT_LE(std::abs(toi.iterations - all.iterations), all.state == ToiState::separated ? 1 : 0) << q;
             ASSERT_EQ(toi.fractionLower, all.fractionLower) << q;
             ASSERT_EQ(toi.rootIterations, all.rootIterations) << q;
             const bool told =
