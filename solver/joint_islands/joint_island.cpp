@@ -136,7 +136,7 @@ bool JointIsland::mayFlow(double duration, const Rates& rates) const {
 
 bool JointIsland::advanceSmoothly(double h, int subSteps, JointFlow& flow) {
     flow.start(bodies_, holds_, branches_, h);
-    const double most = std::clamp(kMostBodyCompositions / columns_, kFewestCompositions, kMostCompositions);
+    const double most = mostCompositions();
     const auto tremor = subSteps < kSubStepsReplaced ? JointFlow::Tremor::unseen : JointFlow::Tremor::followed;
     const bool isDone = flow.advance(h * subSteps, most, tremor);
     factorisations_ += flow.evaluations();
@@ -289,7 +289,6 @@ JointIsland::Rates JointIsland::ratesOf(double h) {
 }
 
 bool JointIsland::advanceExactly(double h, int subSteps, int finer, const Rates& rates) {
-    const double most = std::clamp(kMostBodyCompositions / columns_, kFewestCompositions, kMostCompositions);
     dropTotals();
     goBack();
     findOpenGaps();
@@ -300,47 +299,59 @@ bool JointIsland::advanceExactly(double h, int subSteps, int finer, const Rates&
         placeRows();
         factorise();
     }
-    const double phase = isStiff ? 0 : rates.phase;
-    const auto step = [this, isStiff](double part, double length) {
-        return isStiff ? subStepByMiddle(part, length) : subStep(part, length);
-    };
+    const ExactWay way{.h = h, .subSteps = subSteps, .finer = finer, .isStiff = isStiff};
     // What is damped cannot go back in time.
-    if (subSteps < kSubStepsReplaced || std::any_of(bodies_.begin(), bodies_.end(), isDamped)) {
-        int count = subSteps;
-        double length = h;
-        while (length * phase > kMostPhase || length * rates.turn > kMostTurn || count < subSteps * finer) {
-            if (count > most) { return false; }
-            count *= 2;
-            length *= 0.5;
-            halveDrives();
-        }
-        for (int i = 0; i < count; ++i) {
-            if (!step(1, length)) { return false; }
-        }
-        if (isStiff) { holdTree(); }
-        return true;
+    const bool goesOnly = subSteps < kSubStepsReplaced || std::any_of(bodies_.begin(), bodies_.end(), isDamped);
+    if (!(goesOnly ? subStepEvenly(way, rates) : subStepByCompositions(way, rates))) { return false; }
+    if (isStiff) { holdTree(); }
+    return true;
+}
+
+double JointIsland::mostCompositions() const {
+    return std::clamp(kMostBodyCompositions / columns_, kFewestCompositions, kMostCompositions);
+}
+
+bool JointIsland::subStepExactly(const ExactWay& way, double part, double length) {
+    return way.isStiff ? subStepByMiddle(part, length) : subStep(part, length);
+}
+
+bool JointIsland::subStepEvenly(const ExactWay& way, const Rates& rates) {
+    const double phase = way.isStiff ? 0 : rates.phase;
+    int count = way.subSteps;
+    double length = way.h;
+    while (length * phase > kMostPhase || length * rates.turn > kMostTurn || count < way.subSteps * way.finer) {
+        if (count > mostCompositions()) { return false; }
+        count *= 2;
+        length *= 0.5;
+        halveDrives();
     }
-    const auto wantedFor = [=](const Rates& now, double left) {
-        const double time = h * left;
-        const double forPhase = isStiff ? std::min(now.phase * time / kMostPhaseByMiddle, kMostForPhaseByMiddle)
-                                        : now.phase * time / kMostPhase;
-        return std::ceil(finer * std::max(forPhase, now.turn * time / kMostTurn));
+    for (int i = 0; i < count; ++i) {
+        if (!subStepExactly(way, 1, length)) { return false; }
+    }
+    return true;
+}
+
+bool JointIsland::subStepByCompositions(const ExactWay& way, const Rates& rates) {
+    const auto wantedFor = [&way](const Rates& now, double left) {
+        const double time = way.h * left;
+        const double forPhase = way.isStiff ? std::min(now.phase * time / kMostPhaseByMiddle, kMostForPhaseByMiddle)
+                                            : now.phase * time / kMostPhase;
+        return std::ceil(way.finer * std::max(forPhase, now.turn * time / kMostTurn));
     };
-    const bool isCoarse = h * subSteps * rates.turn > kCoarseTurn;
-    double left = subSteps;
-    const int replaced = subSteps / kSubStepsReplaced;  // rounded down
-    double compositions = std::max(wantedFor(rates, left), static_cast<double>(finer * replaced));
+    const bool isCoarse = way.h * way.subSteps * rates.turn > kCoarseTurn;
+    double left = way.subSteps;
+    const int replaced = way.subSteps / kSubStepsReplaced;  // rounded down
+    double compositions = std::max(wantedFor(rates, left), static_cast<double>(way.finer * replaced));
     for (double done = 0; compositions > 0; --compositions, ++done) {
-        if (!(done + compositions <= finer * most)) { return false; }
+        if (!(done + compositions <= way.finer * mostCompositions())) { return false; }
         const double length = left / compositions;
         for (const double part : kSuzuki) {
-            if (!step(part * length, h)) { return false; }
+            if (!subStepExactly(way, part * length, way.h)) { return false; }
         }
         left -= length;
         // Lengths that follow the motion cost the symmetry in time, and are for what is lost without them.
-        if (isCoarse) { compositions = std::max(wantedFor(ratesOf(h), left) + 1, compositions); }
+        if (isCoarse) { compositions = std::max(wantedFor(ratesOf(way.h), left) + 1, compositions); }
     }
-    if (isStiff) { holdTree(); }
     return true;
 }
 

@@ -72,6 +72,14 @@ private:
         double phase = 0;  ///< rad/s
     };
 
+    /// How a step is divided where its rows are exact.
+    struct ExactWay {
+        double h = 0;  ///< s, of a sub-step
+        int subSteps = 0;
+        int finer = 1;         ///< times as many as the motion asks for
+        bool isStiff = false;  ///< a tree whose rows are placed anew in each sub-step (joint_island_middle.cpp)
+    };
+
     /// Of the gaps that a step began with, what is not yet to be closed.
     double openPart() const { return keepsOpen_ ? 1 : 1 - elapsed_ / duration_; }
     /// Rods are as long as they are to be when the sub-step ends.
@@ -89,6 +97,10 @@ private:
     bool mayFlow(double duration, const Rates& rates) const;
     bool advanceSmoothly(double h, int subSteps, JointFlow& flow);
     bool advanceExactly(double h, int subSteps, int finer, const Rates& rates);
+    double mostCompositions() const;
+    bool subStepExactly(const ExactWay& way, double part, double length);
+    bool subStepEvenly(const ExactWay& way, const Rates& rates);
+    bool subStepByCompositions(const ExactWay& way, const Rates& rates);
     void advanceAnyhow(double h, int subSteps, const Rates& rates);
     bool advanceByEnds(double h, int subSteps, int more);
     void advanceSoftly(double h, int subSteps, const Rates& rates);
@@ -133,6 +145,7 @@ private:
     void placeTreeRows(double time, ForceAt at);
     double findTreeGaps(double time);
     double findMomenta();
+    double worstLack() const;
     void leaveSubStep(double time, ForceAt at);
 
     // joint_island_tree.cpp

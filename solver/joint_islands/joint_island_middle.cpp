@@ -74,6 +74,84 @@ double gapOf(const IslandHold& hold, const IslandBody& a, const IslandBody& b, D
     return 0;
 }
 
+/// The rows of a joint between the present places of its bodies and the next ones.
+class TreeRows {
+public:
+    /// @param time  s, from here to there
+    /// @param isMiddle  whether its forces have the direction of the middle of the way, else that of its end
+    TreeRows(IslandHold& hold, IslandBody& a, IslandBody& b, double time, bool isMiddle)
+        : hold_(hold),
+          a_(a),
+          b_(b),
+          time_(time),
+          turning_(isMiddle ? 0.5 * time : time),
+          isMiddle_(isMiddle),
+          endA_(endArm(a, hold.anchorA)),
+          endB_(endArm(b, hold.anchorB)),
+          armA_(isMiddle ? middleArm(a, hold.anchorA) : endA_),
+          armB_(isMiddle ? middleArm(b, hold.anchorB) : endB_) {}
+
+    void placePoint() const {
+        place(hold_.rows[0], {1, 0}, {1, 0});
+        place(hold_.rows[1], {0, 1}, {0, 1});
+        const DVec2 impulse{hold_.rows[0].impulse, hold_.rows[1].impulse};
+        a_.middle.stiffness -= turning_ * dot(armA_, impulse);
+        b_.middle.stiffness += turning_ * dot(armB_, impulse);
+    }
+
+    void placeRod() const {
+        const Ends ends = offsetsOf(hold_, a_, b_);
+        const double far = length(ends.after);
+        const double apart = isMiddle_ ? length(ends.before) + far : far;
+        if (apart > 0) { hold_.axis = (1 / apart) * (isMiddle_ ? ends.before + ends.after : ends.after); }
+        const double impulse = hold_.rows[0].impulse;
+        place(hold_.rows[0], hold_.axis, far > 0 ? (1 / far) * ends.after : hold_.axis);
+        const DVec2 aside = leftOf(hold_.axis);
+        setRow(hold_.rows[1], aside, cross(armA_, aside), cross(armB_, aside));
+        hold_.rows[1].endA = hold_.rows[1].ofA;
+        hold_.rows[1].endB = hold_.rows[1].ofB;
+        if (apart > 0) { hold_.tightness = std::max(-impulse * time_ / apart, 0.0); }
+        a_.middle.stiffness -= turning_ * impulse * dot(armA_, hold_.axis);
+        b_.middle.stiffness += turning_ * impulse * dot(armB_, hold_.axis);
+    }
+
+    void placeSide() const {
+        const Ends ends = offsetsOf(hold_, a_, b_);
+        const DVec2 across =
+            0.5 * leftOf(turned(a_.place.c, a_.place.s, hold_.axis) + turned(a_.next.c, a_.next.s, hold_.axis));
+        const DVec2 swinging = leftOf(middleArm(a_, hold_.axis));
+        const double spinA = cross(armA_, across) + cross(0.5 * (ends.before + ends.after), swinging);
+        setRow(hold_.rows[0], across, spinA, cross(armB_, across));
+        const DVec2 end = leftOf(endArm(a_, hold_.axis));
+        setEnd(hold_.rows[0], end, cross(endA_ + ends.after, end), cross(endB_, end));
+        if (isMiddle_) { return; }
+        hold_.rows[0].ofA = hold_.rows[0].endA;
+        hold_.rows[0].ofB = hold_.rows[0].endB;
+    }
+
+    void placeAngle() const {
+        setRow(hold_.rows[0], {}, 1, 1);
+        setEnd(hold_.rows[0], {}, 1, 1);
+    }
+
+private:
+    void place(IslandHold::Row& row, DVec2 direction, DVec2 end) const {
+        setRow(row, direction, cross(armA_, direction), cross(armB_, direction));
+        setEnd(row, end, cross(endA_, end), cross(endB_, end));
+    }
+
+    IslandHold& hold_;
+    IslandBody& a_;
+    IslandBody& b_;
+    double time_;
+    double turning_;  ///< s, in which its forces turn with the bodies
+    bool isMiddle_;
+    DVec2 endA_;
+    DVec2 endB_;
+    DVec2 armA_;
+    DVec2 armB_;
+};
+
 double speedOf(const Block3& row, const IslandBody& body) {
     return row[0] * body.velocity.x + row[1] * body.velocity.y + row[2] * body.spin;
 }
@@ -99,64 +177,22 @@ void JointIsland::findTreePlaces(double time) {
 /// Rows whose speeds, times the time, are exactly by how much the gaps change from here to the next places; and how
 /// their forces turn with the bodies.
 void JointIsland::placeTreeRows(double time, ForceAt at) {
-    const bool isMiddle = at == ForceAt::middle;
-    const double turning = isMiddle ? 0.5 * time : time;
     for (IslandBody& body : bodies_) { body.middle.stiffness = 0; }
     for (IslandHold& hold : holds_) {
-        IslandBody& a = bodies_[hold.a];
-        IslandBody& b = bodies_[hold.b];
-        const DVec2 endA = endArm(a, hold.anchorA);
-        const DVec2 endB = endArm(b, hold.anchorB);
-        const DVec2 armA = isMiddle ? middleArm(a, hold.anchorA) : endA;
-        const DVec2 armB = isMiddle ? middleArm(b, hold.anchorB) : endB;
         hold.tightness = 0;
+        const TreeRows rows(hold, bodies_[hold.a], bodies_[hold.b], time, at == ForceAt::middle);
         switch (hold.kind) {
-            case IslandHold::Kind::point: {
-                setRow(hold.rows[0], {1, 0}, cross(armA, {1, 0}), cross(armB, {1, 0}));
-                setRow(hold.rows[1], {0, 1}, cross(armA, {0, 1}), cross(armB, {0, 1}));
-                setEnd(hold.rows[0], {1, 0}, cross(endA, {1, 0}), cross(endB, {1, 0}));
-                setEnd(hold.rows[1], {0, 1}, cross(endA, {0, 1}), cross(endB, {0, 1}));
-                const DVec2 impulse{hold.rows[0].impulse, hold.rows[1].impulse};
-                a.middle.stiffness -= turning * dot(armA, impulse);
-                b.middle.stiffness += turning * dot(armB, impulse);
+            case IslandHold::Kind::point:
+                rows.placePoint();
                 break;
-            }
-            case IslandHold::Kind::rod: {
-                const Ends ends = offsetsOf(hold, a, b);
-                const double far = length(ends.after);
-                const double apart = isMiddle ? length(ends.before) + far : far;
-                if (apart > 0) { hold.axis = (1 / apart) * (isMiddle ? ends.before + ends.after : ends.after); }
-                const DVec2 aside = leftOf(hold.axis);
-                const double impulse = hold.rows[0].impulse;
-                setRow(hold.rows[0], hold.axis, cross(armA, hold.axis), cross(armB, hold.axis));
-                setRow(hold.rows[1], aside, cross(armA, aside), cross(armB, aside));
-                hold.rows[1].endA = hold.rows[1].ofA;
-                hold.rows[1].endB = hold.rows[1].ofB;
-                const DVec2 end = far > 0 ? (1 / far) * ends.after : hold.axis;
-                setEnd(hold.rows[0], end, cross(endA, end), cross(endB, end));
-                if (apart > 0) { hold.tightness = std::max(-impulse * time / apart, 0.0); }
-                a.middle.stiffness -= turning * impulse * dot(armA, hold.axis);
-                b.middle.stiffness += turning * impulse * dot(armB, hold.axis);
+            case IslandHold::Kind::rod:
+                rows.placeRod();
                 break;
-            }
-            case IslandHold::Kind::side: {
-                const Ends ends = offsetsOf(hold, a, b);
-                const DVec2 across =
-                    0.5 * leftOf(turned(a.place.c, a.place.s, hold.axis) + turned(a.next.c, a.next.s, hold.axis));
-                const DVec2 swinging = leftOf(middleArm(a, hold.axis));
-                const double spinA = cross(armA, across) + cross(0.5 * (ends.before + ends.after), swinging);
-                setRow(hold.rows[0], across, spinA, cross(armB, across));
-                const DVec2 end = leftOf(endArm(a, hold.axis));
-                setEnd(hold.rows[0], end, cross(endA + ends.after, end), cross(endB, end));
-                if (!isMiddle) {
-                    hold.rows[0].ofA = hold.rows[0].endA;
-                    hold.rows[0].ofB = hold.rows[0].endB;
-                }
+            case IslandHold::Kind::side:
+                rows.placeSide();
                 break;
-            }
             case IslandHold::Kind::angle:
-                setRow(hold.rows[0], {}, 1, 1);
-                setEnd(hold.rows[0], {}, 1, 1);
+                rows.placeAngle();
                 break;
         }
     }
@@ -212,6 +248,11 @@ double JointIsland::findMomenta() {
             add(bodies_[hold.b], hold.rows[i].ofB, hold.rows[i].impulse, isAngle);
         }
     }
+    return worstLack();
+}
+
+/// Of the momenta that are missing (`change_`), as a part of those that come and go.
+double JointIsland::worstLack() const {
     // What the rounding of a heavy body's speed pushes light ones with.
     double most = 0;
     for (const IslandBody& body : bodies_) {
