@@ -63,7 +63,7 @@ Aabb boundsOf(const Polygon& polygon, const WorldTransform& pose, DVec2 way, Rea
 /// Radius of the smallest circle about `center` (body frame) that holds the whole shape, radius included; rounded up.
 Real radiusAbout(const Polygon& polygon, Vec2 center);
 
-/// Index of the vertex farthest along `direction`; the lowest index on a tie.
+/// Index of the vertex farthest along `direction`; the lowest index on a tie. @pre the direction is finite
 int supportIndex(const Polygon& polygon, Vec2 direction);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -44,7 +44,8 @@ struct UnitAndLength {
 };
 
 /// Direction and length; works for any finite non-zero vector, as tiny or huge as it may be (scaled by a power of two
-/// first, so the direction has full precision). A zero vector gives (0, 0) and length 0.
+/// first, so the direction has full precision); a length beyond the largest `Real` is infinite. A zero vector gives
+/// (0, 0) and length 0.
 UnitAndLength normalized(Vec2 a);
 
 /// In parentheses, as in all headers that users include: before some of those <windows.h> has made macros of both

@@ -23,7 +23,7 @@
 namespace swept::inline SWEPT_PRECISION {
 
 struct SolverSettings {
-    Real dt = 0;                                            ///< the step, s
+    Real dt = 0;                                            ///< the step, s; greater than 0
     int subSteps = 1;                                       ///< at least 1
     int relaxPasses = 1;                                    ///< per sub-step, at least 0
     Real restitutionThreshold = 0;                          ///< slower approaches do not bounce, m/s

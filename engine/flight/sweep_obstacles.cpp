@@ -27,6 +27,15 @@ ToiSettings settingsFor(const WorldState& world, const FlightObstacle& obstacle,
     return {.target = obstacle.level, .tolerance = toleranceOf(world, obstacle), .tMax = tMax};
 }
 
+/// Of an obstacle, along its sweep, and what sweeps towards it.
+Toi countedToi(const ToiPolygon& other, const Sweep& otherSweep, const ToiPolygon& own, const Sweep& sweep,
+               const ToiSettings& settings, FlightScratch& scratch) {
+    const Toi toi = timeOfImpact(other, otherSweep, own, sweep, settings);
+    ++scratch.counters.toiCalls;
+    scratch.counters.toiIterations += static_cast<std::uint64_t>(toi.iterations);
+    return toi;
+}
+
 /// Whether a rounded shape whose radius is sunk is lifted out and held as if its core were: what is pressed slowly, or
 /// pulled by joints, gets deeper step by step. What is fast mostly comes out again.
 bool isPressed(const WorldState& world, const FlightObstacle& obstacle) {
@@ -42,9 +51,7 @@ Toi impactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSw
     Sweep lifted = sweep;
     lifted.c0 += obstacle.lift;
     lifted.c1 += obstacle.lift;
-    Toi toi = timeOfImpact(other, otherSweep, own, lifted, settingsFor(world, obstacle, tMax));
-    ++scratch.counters.toiCalls;
-    scratch.counters.toiIterations += static_cast<std::uint64_t>(toi.iterations);
+    Toi toi = countedToi(other, otherSweep, own, lifted, settingsFor(world, obstacle, tMax), scratch);
     if (toi.state == ToiState::hit && toi.fraction <= 0) {
         const bool isDeep = toi.separation < length(obstacle.lift) - slackOf(world, obstacle);
         if (isDeep && !ignoresSunk && !obstacle.isSunkInto) {
@@ -57,9 +64,7 @@ Toi impactWith(const WorldState& world, const Sweep& sweep, const Sweep& otherSw
             obstacle.isSunkInto = isGround && world.bodies[world.shapes[obstacle.own].body].sunk;
         }
         obstacle.level = std::min(obstacle.level, levelInContact(world, obstacle, toi.separation));
-        toi = timeOfImpact(other, otherSweep, own, lifted, settingsFor(world, obstacle, tMax));
-        ++scratch.counters.toiCalls;
-        scratch.counters.toiIterations += static_cast<std::uint64_t>(toi.iterations);
+        toi = countedToi(other, otherSweep, own, lifted, settingsFor(world, obstacle, tMax), scratch);
     }
     return toi;
 }
@@ -187,11 +192,9 @@ bool isOutOfReach(const WorldState& world, const FlightObstacle& obstacle, const
 /// Of what is behind a chain as the sweep begins: it may be in it already, and is not lifted out of it.
 FirstImpact firstTouch(const WorldState& world, const Sweep& sweep, const Sweep& otherSweep,
                        const FlightObstacle& obstacle, double limit, FlightScratch& scratch) {
-    const Toi toi =
-        timeOfImpact(asToiPolygon(world.shapes[obstacle.other].polygon), otherSweep,
-                     asToiPolygon(world.shapes[obstacle.own].polygon), sweep, settingsFor(world, obstacle, limit));
-    ++scratch.counters.toiCalls;
-    scratch.counters.toiIterations += static_cast<std::uint64_t>(toi.iterations);
+    const Toi toi = countedToi(asToiPolygon(world.shapes[obstacle.other].polygon), otherSweep,
+                               asToiPolygon(world.shapes[obstacle.own].polygon), sweep,
+                               settingsFor(world, obstacle, limit), scratch);
     return {.hit = toi.state != ToiState::separated, .fraction = toi.fraction};
 }
 

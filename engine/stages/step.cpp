@@ -83,11 +83,11 @@ void noticeAndReset(WorldState& world, Real dt, FunctionRef<void()> noticed) {
     resetBodies(world, std::span(world.awake).subspan(before.size()), dt);
 }
 
-}  // namespace
+// --- the stages, each of which `StageTimes` has a time of. Of what each consists of, what may have nothing to do is
+// not even called then: it costs the comparison in front of it.
 
-/// A stage that may have nothing to do is not even called then: it costs the comparison in front of it.
-void runStages(WorldState& world, double dt) {
-    const Real step = static_cast<Real>(dt);
+/// What calls since the last step left to be done, and what another length of the step changes.
+void prepareStep(WorldState& world, double dt) {
     ++world.steps;
     closeUpPairs(world);
     closeUpAwake(world);
@@ -97,28 +97,33 @@ void runStages(WorldState& world, double dt) {
     const bool varies = dt != before || world.closingTime > dt || world.recentSteps.longest < dt;
     if (varies) { world.closingTime = closingTimeAfter(world, before, dt); }
     if (world.closingStretch > 1) { world.closingStretch = closingStretchOf(world, dt); }
-    StageClock clock(world.settings.measureStageTimes);
     world.watched = world.watchedBodies > 0 || isWatched(world.settings.continuous);
+}
+
+/// Boxes reach as far as this step may ask, then pairs of them are found.
+void reachAndPair(WorldState& world, double dt) {
     if (world.watched) {
         limitSpeeds(world, dt);
         reachAhead(world);
     }
     if (world.kinematicBodies > 0) { reachWithKinematicBodies(world); }
     findStirred(world, dt);
-    const bool isAnyDriven = !world.drivenJoints.empty();
-    if (isAnyDriven) { beginDriven(world, dt); }
+    if (!world.drivenJoints.empty()) { beginDriven(world, dt); }
     findPairs(world);
-    clock.stop(world.stageTimes.pairs);
-    collideContacts(world);
-    noticeAndReset(world, step, [&] { clock.stop(world.stageTimes.collide); });
-    assignRoles(world, step);
+}
+
+/// What is solved together, and how.
+void formIslands(WorldState& world, double dt) {
+    assignRoles(world, static_cast<Real>(dt));
     findIslands(world);
     assignEfforts(world, dt);
     bearReactions(world, world.loosenedChains);
     if (!world.newJoints.empty()) { startJoints(world, dt); }
     world.fastIslands.any = world.fastIslands.anyDissolved = false;
     if (world.anyFast) { findFastIslands(world); }
-    clock.stop(world.stageTimes.islands);
+}
+
+void solve(WorldState& world, double dt) {
     moveFreeBodies(world, dt);
     if (world.fastIslands.any) { beginFastIslands(world, dt); }
     const bool mayLand = !world.landings.meeting.empty();
@@ -128,22 +133,44 @@ void runStages(WorldState& world, double dt) {
     if (world.fastIslands.any) { advanceFastIslands(world, dt); }
     putBackOverflown(world);
     if (world.watched) { limitWays(world, dt); }
-    clock.stop(world.stageTimes.solve);
+}
+
+void sweep(WorldState& world, double dt) {
     const bool sweeps = world.anyFast || world.anyFlung;
     if (sweeps) { sweepFastBodies(world, dt); }
     const bool areMovedSound = world.kinematicBodies == 0 || moveKinematicBodies(world, dt);
     if (sweeps || !areMovedSound) { putBackOverflown(world); }
     if (!world.sensors.empty()) { sweepSensors(world, dt); }
-    clock.stop(world.stageTimes.continuous);
+}
+
+void finishStep(WorldState& world, double dt) {
     if (world.anyRestLoads) { loosenMoving(world, dt); }
     if (!world.activeJoints.empty()) { breakJoints(world); }
-    if (isAnyDriven) { endDriven(world); }
+    if (!world.drivenJoints.empty()) { endDriven(world); }
     if (world.watched) { joinCaps(world, dt); }
     moveProxiesAndSortEvents(world);
     world.stepped = world.awake;
     if (world.settings.sleep) { putToSleep(world, dt); }
     if (world.forcesGiven) { clearForces(world); }
     if (!world.lostTime.empty()) { countLostTime(world); }
+}
+
+}  // namespace
+
+void runStages(WorldState& world, double dt) {
+    prepareStep(world, dt);
+    StageClock clock(world.settings.measureStageTimes);
+    reachAndPair(world, dt);
+    clock.stop(world.stageTimes.pairs);
+    collideContacts(world);
+    noticeAndReset(world, static_cast<Real>(dt), [&] { clock.stop(world.stageTimes.collide); });
+    formIslands(world, dt);
+    clock.stop(world.stageTimes.islands);
+    solve(world, dt);
+    clock.stop(world.stageTimes.solve);
+    sweep(world, dt);
+    clock.stop(world.stageTimes.continuous);
+    finishStep(world, dt);
     clock.stop(world.stageTimes.finish);
 }
 
