@@ -88,15 +88,24 @@ void listImpacts(WorldState& world, FlightScratch& scratch) {
     }
 }
 
+/// Whether it keeps to the path that it began the step with, at the speed of that.
+bool keepsPath(const BulletPartner& partner) { return partner.tied && !partner.flies && !partner.stopped; }
+
 /// @return the threshold below which they do not bounce, m/s
 Real listStates(const WorldState& world, FlightScratch& scratch) {
     const BulletWork& work = world.bulletWork;
     scratch.states.assign(1, {});
     scratch.inertias.assign(1, {});
     for (const std::uint32_t index : work.members) {
-        const Flight& flight = work.partners[index].flight;
-        scratch.states.push_back(
-            {.velocity = flight.motion.velocity, .angularVelocity = flight.motion.angularVelocity});
+        const BulletPartner& partner = work.partners[index];
+        const Flight& flight = partner.flight;
+        BodyState& state = scratch.states.emplace_back();
+        state.velocity = flight.motion.velocity;
+        state.angularVelocity = flight.motion.angularVelocity;
+        if (keepsPath(partner)) {
+            state.velocity += partner.lead;
+            state.angularVelocity += partner.angularLead;
+        }
         scratch.inertias.push_back({flight.body().inverseMass, flight.body().inverseInertia});
     }
     Real threshold = 0;
@@ -120,9 +129,14 @@ void reflect(WorldState& world, FlightScratch& scratch, Real threshold) {
     }
     BulletWork& work = world.bulletWork;
     for (std::size_t i = 0; i < work.members.size(); ++i) {
-        BodyMotion& motion = work.partners[work.members[i]].flight.motion;
+        BulletPartner& partner = work.partners[work.members[i]];
+        BodyMotion& motion = partner.flight.motion;
         motion.velocity = scratch.states[i + 1].velocity;
         motion.angularVelocity = scratch.states[i + 1].angularVelocity;
+        if (keepsPath(partner)) {
+            motion.velocity -= partner.lead;
+            motion.angularVelocity -= partner.angularLead;
+        }
     }
 }
 

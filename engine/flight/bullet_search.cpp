@@ -54,6 +54,10 @@ void makePartner(BulletPartner& place, WorldState& world, std::uint32_t slot, do
                     .c1 = motion.center,
                     .a0 = body.awake ? body.startAngle : motion.angle,
                     .a1 = motion.angle};
+    if (partner.tied && body.awake) {
+        partner.lead = toReal((1 / dt) * (partner.path.c1 - partner.path.c0)) - motion.velocity;
+        partner.angularLead = static_cast<Real>((partner.path.a1 - partner.path.a0) / dt) - motion.angularVelocity;
+    }
     if (body.awake && body.role == BodyRole::free) {
         const Drift drift = driftOf(world, body, dt);
         const DVec2 way = partner.path.c1 - partner.path.c0;

@@ -17,19 +17,24 @@ Real speedBound(const WorldState& world, std::uint32_t slot, Real dt) {
            (body.isDynamic() ? dt * length(accelerationOf(world, body)) : Real(0));
 }
 
-/// Where a body may get that goes no farther than that.
-Aabb realmOfReach(const WorldState& world, std::uint32_t slot, Real reach) {
-    const Body& body = world.bodies[slot];
-    const DVec2 start = body.awake ? body.startCenter : world.motions[slot].center;
-    return grown(roundedOutward(start, start), reach + body.radius);
-}
-
 /// How far the solver moved any point of a body in this step, metres.
 Real wayOf(const WorldState& world, std::uint32_t slot) {
     const Body& body = world.bodies[slot];
     const BodyMotion& motion = world.motions[slot];
     const double turned = std::fabs(motion.angle - body.startAngle) * static_cast<double>(body.radius);
     return roundedUp(length(motion.center - body.startCenter) + turned);
+}
+
+/// How far a body gets within the step, metres: what was moved already went its way, and may have ended it at a stop.
+Real reachInStep(const WorldState& world, std::uint32_t slot, Real dt) {
+    return std::max(dt * speedBound(world, slot, dt), world.bodies[slot].awake ? wayOf(world, slot) : Real(0));
+}
+
+/// Where a body may get that goes no farther than that.
+Aabb realmOfReach(const WorldState& world, std::uint32_t slot, Real reach) {
+    const Body& body = world.bodies[slot];
+    const DVec2 start = body.awake ? body.startCenter : world.motions[slot].center;
+    return grown(roundedOutward(start, start), reach + body.radius);
 }
 
 /// Of its extent: what moves no farther within a step looks for nobody. Contacts stop it, whatever it meets.
@@ -54,7 +59,7 @@ void dropOutOfReach(WorldState& world, Real dt) {
     work.boxes.clear();
     for (const std::uint32_t slot : work.early) {
         if (isBullet(world, slot)) {
-            work.boxes.push_back(realmOfReach(world, slot, dt * speedBound(world, slot, dt) + farthest));
+            work.boxes.push_back(realmOfReach(world, slot, reachInStep(world, slot, dt) + farthest));
         }
     }
     WideTree& realms = work.tree;
@@ -70,7 +75,7 @@ void dropOutOfReach(WorldState& world, Real dt) {
                 const std::uint32_t slot = work.early[i];
                 work.reached[i] = isBullet(world, slot) || dissolvedClashOf(world, slot) != kNoIndex ? 1 : 0;
                 if (work.reached[i] != 0) { continue; }
-                boxes[i - first] = realmOfReach(world, slot, dt * speedBound(world, slot, dt));
+                boxes[i - first] = realmOfReach(world, slot, reachInStep(world, slot, dt));
             }
             widestKernels().queries(realms, WideBoxes::of(boxes),
                                     [&](std::uint32_t lane, ProxyId) { work.reached[first + lane] = 1; });
@@ -132,7 +137,8 @@ void findEarly(WorldState& world, Real dt) {
         const bool isOfClash = dissolvedClashOf(world, slot) != kNoIndex;
         const bool isEarly = body.fast || isOfClash || (isOne && body.role == BodyRole::flyer);
         const Real way = isEarly ? 0 : wayOf(world, slot);
-        if (isEarly || (isOne && way > kSlowRatio * body.extent)) {
+        // A motor may set off what was at rest, and so was not fast as the step began.
+        if (isEarly || way > (isOne ? kSlowRatio : body.slowRatio()) * body.extent) {
             work.early.push_back(slot);
             bullets += isOne ? 1 : 0;
             mayBeOutOfReach = mayBeOutOfReach || (!isOne && !isOfClash);

@@ -11,6 +11,7 @@
 #include "clash_contacts.h"
 #include "curved_path.h"
 #include "flight_state.h"
+#include "flight_traces.h"
 #include "sweep_circles.h"
 #include "sweep_tolerances.h"
 #include "take_along.h"
@@ -271,11 +272,7 @@ void store(Clash& clash) {
 ClashEnd clash(WorldState& world, std::span<const std::uint32_t> members, std::span<const std::uint32_t> contacts,
                double dt, FlightScratch& scratch, ClashScratch& work) {
     Clash clash{world, scratch, work, dt};
-    const std::size_t events = scratch.events.size();
-    const std::size_t poses = scratch.impactPoses.size();
-    const std::size_t losses = scratch.lostTime.size();
-    const std::uint64_t impacts = scratch.counters.impacts;
-    const std::uint64_t speedsLimited = scratch.counters.speedsLimited;
+    const FlightTraces before = tracesOf(scratch);
     if (!begin(clash, members, contacts)) { return ClashEnd::none; }
     ClashEnd end = flyThrough(clash);
     if (end == ClashEnd::bounced && work.anyBullets && mayMeetMore(clash, members)) { end = ClashEnd::dissolved; }
@@ -283,11 +280,7 @@ ClashEnd clash(WorldState& world, std::span<const std::uint32_t> members, std::s
         store(clash);
         return end;
     }
-    scratch.events.resize(events);
-    scratch.impactPoses.resize(poses);
-    scratch.lostTime.erase(scratch.lostTime.begin() + static_cast<std::ptrdiff_t>(losses), scratch.lostTime.end());
-    scratch.counters.impacts = impacts;
-    scratch.counters.speedsLimited = speedsLimited;
+    cutTo(scratch, before);
     return end;
 }
 

@@ -8,6 +8,7 @@
 #include "../flight/bullet_start.h"
 #include "../flight/bullets_ahead.h"
 #include "../flight/clash.h"
+#include "../flight/flight_traces.h"
 #include "../flight/ground_on_the_way.h"
 #include "../islands/effort_trial.h"
 #include "../modes/modes.h"
@@ -238,30 +239,17 @@ void gather(WorldState& world, AdvancingIsland& fast, std::size_t island) {
 }
 
 /// What an island leaves of a step outside of itself.
-struct Traces {
-    std::size_t events;
-    std::size_t found;
-    std::size_t poses;
-    std::size_t losses;
-    std::size_t crossed;
-    std::uint64_t impacts;
+struct IslandTraces {
+    std::size_t events = 0;
+    std::size_t found = 0;
+    FlightTraces flights;
 };
-Traces tracesOf(const IslandDesk& desk, const FlightScratch& scratch) {
-    return {.events = desk.events.size(),
-            .found = desk.found.size(),
-            .poses = scratch.impactPoses.size(),
-            .losses = scratch.lostTime.size(),
-            .crossed = scratch.chains.crossed.size(),
-            .impacts = scratch.counters.impacts};
-}
-
-template <class Items>
-void cutTo(Items& items, std::size_t size) {
-    items.erase(items.begin() + static_cast<std::ptrdiff_t>(size), items.end());
+IslandTraces tracesOf(const IslandDesk& desk, const FlightScratch& scratch) {
+    return {.events = desk.events.size(), .found = desk.found.size(), .flights = tracesOf(scratch)};
 }
 
 /// As the island was before it advanced, but for the effort of its members.
-void takeBack(WorldState& world, IslandDesk& desk, const Traces& before, FlightScratch& scratch) {
+void takeBack(WorldState& world, IslandDesk& desk, const IslandTraces& before, FlightScratch& scratch) {
     const AdvancingIsland& fast = desk.island;
     const EffortTrial& trial = world.trial;
     for (std::size_t i = 0; i < fast.members.size(); ++i) {
@@ -275,10 +263,7 @@ void takeBack(WorldState& world, IslandDesk& desk, const Traces& before, FlightS
     if (LentEnergy* const lent = lentOf(world, fast.jointSlots)) { *lent = fast.lentAtStart; }
     cutTo(desk.events, before.events);
     cutTo(desk.found, before.found);
-    cutTo(scratch.impactPoses, before.poses);
-    cutTo(scratch.lostTime, before.losses);
-    cutTo(scratch.chains.crossed, before.crossed);
-    scratch.counters.impacts = before.impacts;
+    cutTo(scratch, before.flights);
 }
 
 /// One after the other.
@@ -287,7 +272,7 @@ void advanceWithinBudget(WorldState& world, IslandDesk& desk, std::size_t island
     world.trial.joints.clear();
     for (const std::uint32_t slot : fast.jointSlots) { world.trial.joints.push_back(world.joints[slot]); }
     world.trial.fastContacts = fast.contacts;
-    const Traces before = tracesOf(desk, scratch);
+    const IslandTraces before = tracesOf(desk, scratch);
     advanceIsland(world, desk, dt, scratch);
     while (raiseMissedJoints(world, fast.members, fast.jointSlots, dt)) {
         takeBack(world, desk, before, scratch);

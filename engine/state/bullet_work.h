@@ -24,6 +24,10 @@ struct BulletPartner {
     bool tied = false;
     bool moved = false;    ///< here: what the solver made of its pose is out of date
     bool stopped = false;  ///< here, or it rides on another one
+    /// Of what is tied: by how much its path is faster than the velocity that it ends with, m/s and rad/s. What a stop
+    /// holds at the end of its way struck at the speed of that way.
+    Vec2 lead{};
+    Real angularLead = 0;
     bool left = false;  ///< it was tied, and flies instead of going through what is on the way that the solver gave it
 
     std::uint32_t changes = 0;              ///< of its path so far
