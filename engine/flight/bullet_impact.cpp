@@ -4,6 +4,7 @@
 
 #include "../../solver/impacts/impact.h"
 #include "../contacts/hit_event.h"
+#include "../solve/blow_answer.h"
 #include "../solve/constraint_builder.h"
 #include "bullet_paths.h"
 #include "bullet_search.h"
@@ -64,6 +65,12 @@ BodySlot slotOf(const BulletWork& work, std::uint32_t body) {
     return static_cast<BodySlot>(place - work.members.begin() + 1);
 }
 
+/// Of what joints hold to its way.
+BlowAnswer answerIn(const WorldState& world, const BulletPartner& partner, Vec2 arm, Vec2 direction) {
+    if (partner.flies || partner.flight.body().holdingJoints == 0) { return {}; }
+    return answerOf(world, partner.flight.slot, arm, direction);
+}
+
 /// Contacts of this moment. One that is not in reach after all comes later.
 void listImpacts(WorldState& world, FlightScratch& scratch) {
     BulletWork& work = world.bulletWork;
@@ -83,6 +90,9 @@ void listImpacts(WorldState& world, FlightScratch& scratch) {
         constraint.source = static_cast<std::uint32_t>(i);
         constraint.slotA = slotOf(work, pair.first);
         constraint.slotB = slotOf(work, pair.second);
+        const BlowArms arms = armsOf(constraint);
+        constraint.answerA = answerIn(world, partnerIn(work, pair.first), arms.a, -constraint.normal);
+        constraint.answerB = answerIn(world, partnerIn(work, pair.second), arms.b, constraint.normal);
         scratch.constraints.push_back(constraint);
         work.separations.push_back(deepestSeparation(manifold));
     }

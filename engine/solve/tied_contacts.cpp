@@ -15,6 +15,7 @@
 #include "../modes/modes.h"
 #include "../state/profile.h"
 #include "../state/tolerances.h"
+#include "blow_answer.h"
 #include "step_change.h"
 #include "strained_bodies.h"
 
@@ -126,6 +127,7 @@ ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
         constraint.points[k].tangentImpulse = scale_ * contact.tangentImpulse[k];
         if (group_.effort.isSettled) { holdAsItIs(constraint.points[k]); }
     }
+    if (constraint.restitution > 0) { setAnswers(world_, contact, constraint); }
     if (contact.rolls()) { constraint.rollingImpulse = scale_ * contact.rollingImpulse(); }
     return constraint;
 }

@@ -34,6 +34,19 @@ struct ContactConstraintPoint {
     Real bounceApproach = 0;      ///< largest approach speed at which the point bounced, m/s
 };
 
+/// How a body answers, where it is touched, to an impulse of 1 on it along the normal towards it, and along the tangent
+/// that is to the right of that: where joints hold it to the ground as they let it, at once.
+struct BlowAnswer {
+    bool isHeld = false;  ///< else it answers freely, and what follows is not looked at
+    Real normal = 0;      ///< speed along the normal by an impulse along it, 1/kg
+    Real tangent = 0;     ///< likewise, along the tangent
+    Real coupling = 0;    ///< of one by the other
+    Vec2 velocityByNormal{};
+    Vec2 velocityByTangent{};
+    Real spinByNormal = 0;
+    Real spinByTangent = 0;
+};
+
 /// The constraint that two shapes do not approach at up to two points, with Coulomb friction.
 struct ContactConstraint {
     BodySlot slotA = kFixedSlot;
@@ -50,6 +63,8 @@ struct ContactConstraint {
     /// Of the rounded parts that touch, metres: those have no points that turn away from the contact as the body turns.
     Real radiusA = 0;
     Real radiusB = 0;
+    BlowAnswer answerA;  ///< at the middle of the points; asked by impacts alone
+    BlowAnswer answerB;
     /// Relaxation leaves faster approaches to the bounce of the next sub-step, m/s; infinity: the contact never
     /// bounces.
     Real bounceSpeed = std::numeric_limits<Real>::infinity();

@@ -18,9 +18,9 @@ using Impulses = std::array<Vec2, 2>;
 
 /// Smallest non-negative impulses that change both normal velocities by `change` (both points approach).
 Scalars solveBlock(const ImpactProblem& problem, const Scalars& change) {
-    const Real k00 = problem.response(0, 0);
-    const Real k11 = problem.response(1, 1);
-    const Real k01 = problem.response(0, 1);
+    const Real k00 = problem.blow.response(0, 0);
+    const Real k11 = problem.blow.response(1, 1);
+    const Real k01 = problem.blow.response(0, 1);
     const Real determinant = k00 * k11 - k01 * k01;
     if (determinant <= kSingularRatio * k00 * k11) {
         // Any split moves the bodies alike. Where the points approach at different speeds (a kinematic partner turns),
@@ -44,13 +44,13 @@ Scalars solveBlock(const ImpactProblem& problem, const Scalars& change) {
 /// is the only solution. With restitution 0 it never makes energy (Moreau's argument: no work at the normal end
 /// velocity 0, and friction against the slip at the end).
 Vec2 solvePoint(const ImpactProblem& problem, int i, Real change) {
-    const Vec2 normal = problem.contact.normal;
+    const Vec2 normal = problem.contact().normal;
     const Vec2 tangent = rightPerp(normal);
-    const Real friction = problem.contact.friction;
-    const Real normalMass = problem.point(i).normalMass;
+    const Real friction = problem.contact().friction;
+    const Real normalMass = problem.blow.normalMass(i);
     const Real kNormal = 1 / normalMass;
-    const Real kTangent = 1 / problem.point(i).tangentMass;
-    const Real coupling = problem.coupling(i, tangent);
+    const Real kTangent = 1 / problem.blow.tangentMass(i);
+    const Real coupling = problem.blow.coupling(i);
     const Real kSlip = std::max(kTangent - coupling * coupling * normalMass, kSingularRatio * kTangent);
     const Real slip = problem.slip(i) + coupling * change * normalMass;
     // A side of the cone that the line of impulses never meets does not limit friction.
@@ -64,15 +64,15 @@ Vec2 solvePoint(const ImpactProblem& problem, int i, Real change) {
 
 /// Two points: normals together, then friction point by point. Each part by itself makes no energy.
 Impulses solveTwoPoints(ImpactProblem problem, const Scalars& change) {
-    const Vec2 normal = problem.contact.normal;
+    const Vec2 normal = problem.contact().normal;
     const Vec2 tangent = rightPerp(normal);
     const Scalars normalImpulse = solveBlock(problem, change);
     Impulses impulses{normalImpulse[0] * normal, normalImpulse[1] * normal};
     for (int i = 0; i < 2; ++i) { problem.apply(i, impulses[static_cast<std::size_t>(i)]); }
     for (int i = 0; i < 2; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const Real limit = problem.contact.friction * normalImpulse[k];
-        const Vec2 friction = std::clamp(-problem.point(i).tangentMass * problem.slip(i), -limit, limit) * tangent;
+        const Real limit = problem.contact().friction * normalImpulse[k];
+        const Vec2 friction = std::clamp(-problem.blow.tangentMass(i) * problem.slip(i), -limit, limit) * tangent;
         problem.apply(i, friction);
         impulses[k] += friction;
     }
@@ -84,7 +84,7 @@ Impulses impulsesFor(const ImpactProblem& problem, const Scalars& restitution) {
     Scalars change{};
     for (int i = 0; i < 2; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const Real approach = -dot(problem.relativeVelocity(i), problem.contact.normal);
+        const Real approach = -dot(problem.relativeVelocity(i), problem.contact().normal);
         if (problem.active[k]) { change[k] = (1 + restitution[k]) * approach; }
     }
     if (problem.active[0] && problem.active[1]) { return solveTwoPoints(problem, change); }
@@ -96,10 +96,10 @@ Impulses impulsesFor(const ImpactProblem& problem, const Scalars& restitution) {
 /// (exact, as velocities depend linearly on impulses).
 Real workOf(const ImpactProblem& before, const Impulses& impulses) {
     ImpactProblem after = before;
-    for (int i = 0; i < before.contact.count; ++i) { after.apply(i, impulses[static_cast<std::size_t>(i)]); }
-    const Vec2 belt = before.contact.surfaceSpeed * rightPerp(before.contact.normal);
+    for (int i = 0; i < before.contact().count; ++i) { after.apply(i, impulses[static_cast<std::size_t>(i)]); }
+    const Vec2 belt = before.contact().surfaceSpeed * rightPerp(before.contact().normal);
     Real work = 0;
-    for (int i = 0; i < before.contact.count; ++i) {
+    for (int i = 0; i < before.contact().count; ++i) {
         const Vec2 mean = Real(0.5) * (before.relativeVelocity(i) + after.relativeVelocity(i)) - belt;
         work += dot(impulses[static_cast<std::size_t>(i)], mean);
     }
@@ -116,7 +116,7 @@ Impulses mix(const Impulses& plastic, const Impulses& full, Real share) {
 /// and positive at 1, so there is one crossing. As many halvings as the significand has bits decide it.
 Impulses withoutEnergyGain(const ImpactProblem& problem, const Impulses& full) {
     // Without friction a restitution of at most 1 cannot make energy; what shows here is rounding.
-    if (problem.contact.friction <= 0 || workOf(problem, full) <= 0) { return full; }
+    if (problem.contact().friction <= 0 || workOf(problem, full) <= 0) { return full; }
     const Impulses plastic = impulsesFor(problem, {0, 0});
     Real low = 0;
     Real high = 1;

@@ -13,43 +13,89 @@ namespace swept::inline SWEPT_PRECISION {
 inline constexpr Real kRoundingRatio = 8 * kEpsilon;
 using Scalars = std::array<Real, 2>;  ///< by point
 
-/// An impact as a small linear problem: how the relative velocities of the points answer to impulses at them.
-struct ImpactProblem {
+inline bool isAnyHeld(const ContactConstraint& contact) { return contact.answerA.isHeld || contact.answerB.isHeld; }
+
+/// How bodies answer to impulses at the points of their contact: freely, or as joints let them.
+struct BlowPair {
     const ContactConstraint& contact;
-    BodyState a;
-    BodyState b;
-    BodyInertia inertiaA;
-    BodyInertia inertiaB;
-    std::array<bool, 2> active{};
+    const BodyInertia& a;
+    const BodyInertia& b;
 
     const ContactConstraintPoint& point(int i) const { return contact.points[static_cast<std::size_t>(i)]; }
 
+    /// Impulse on B at a point; its opposite on A.
+    void apply(int i, Vec2 impulse, BodyState& stateA, BodyState& stateB) const {
+        push(stateA, a, contact.answerA, -impulse, point(i).anchorA, impulse);
+        push(stateB, b, contact.answerB, impulse, point(i).anchorB, impulse);
+    }
+    /// Normal velocity at point i for a unit normal impulse at point j.
+    Real response(int i, int j) const {
+        if (!isAnyHeld(contact)) {
+            return a.inverseMass + b.inverseMass + a.inverseInertia * point(i).normalArmA * point(j).normalArmA +
+                   b.inverseInertia * point(i).normalArmB * point(j).normalArmB;
+        }
+        const auto answer = [](const BodyInertia& body, const BlowAnswer& held, Real armI, Real armJ) {
+            return held.isHeld ? held.normal : body.inverseMass + body.inverseInertia * armI * armJ;
+        };
+        return answer(a, contact.answerA, point(i).normalArmA, point(j).normalArmA) +
+               answer(b, contact.answerB, point(i).normalArmB, point(j).normalArmB);
+    }
+    /// Tangential velocity at point i for a unit normal impulse there, and the other way round.
+    Real coupling(int i) const {
+        const auto answer = [](const BodyInertia& body, const BlowAnswer& held, Real normalArm, Real tangentArm) {
+            return held.isHeld ? held.coupling : body.inverseInertia * normalArm * tangentArm;
+        };
+        return answer(a, contact.answerA, point(i).normalArmA, point(i).tangentArmA) +
+               answer(b, contact.answerB, point(i).normalArmB, point(i).tangentArmB);
+    }
+    /// Of the answers to impulses at a point itself: those that were prepared, unless joints hold a body.
+    Real normalMass(int i) const { return isAnyHeld(contact) ? massOf(response(i, i)) : point(i).normalMass; }
+    Real tangentMass(int i) const {
+        if (!isAnyHeld(contact)) { return point(i).tangentMass; }
+        const auto answer = [](const BodyInertia& body, const BlowAnswer& held, Real arm) {
+            return held.isHeld ? held.tangent : body.inverseMass + body.inverseInertia * square(arm);
+        };
+        return massOf(answer(a, contact.answerA, point(i).tangentArmA) +
+                      answer(b, contact.answerB, point(i).tangentArmB));
+    }
+
+private:
+    static Real massOf(Real answer) { return answer > 0 ? 1 / answer : Real(0); }
+    /// @param own  the impulse on the body
+    void push(BodyState& state, const BodyInertia& inertia, const BlowAnswer& held, Vec2 own, Vec2 anchor,
+              Vec2 impulse) const {
+        if (!held.isHeld) {
+            if (isMovable(inertia)) { applyImpulse(state, inertia, own, anchor); }
+            return;
+        }
+        // Normal and tangent of A are the opposites of B's, and so is its impulse.
+        const Real alongNormal = dot(impulse, contact.normal);
+        const Real alongTangent = dot(impulse, rightPerp(contact.normal));
+        state.velocity += alongNormal * held.velocityByNormal + alongTangent * held.velocityByTangent;
+        state.angularVelocity += alongNormal * held.spinByNormal + alongTangent * held.spinByTangent;
+    }
+};
+
+/// An impact as a small linear problem: how the relative velocities of the points answer to impulses at them.
+struct ImpactProblem {
+    BlowPair blow;
+    BodyState a;
+    BodyState b;
+    std::array<bool, 2> active{};
+
+    const ContactConstraint& contact() const { return blow.contact; }
+    const ContactConstraintPoint& point(int i) const { return blow.point(i); }
+
     Vec2 relativeVelocity(int i) const { return velocityAt(b, point(i).anchorB) - velocityAt(a, point(i).anchorA); }
     /// Of the surfaces on each other, along the tangent.
-    Real slip(int i) const { return dot(relativeVelocity(i), rightPerp(contact.normal)) - contact.surfaceSpeed; }
+    Real slip(int i) const { return dot(relativeVelocity(i), rightPerp(contact().normal)) - contact().surfaceSpeed; }
     /// What rounding of the relative velocity is measured against: sum of the speeds it is made of. Those of moving and
     /// turning are taken apart, since they cancel where a body rolls, and their rounding does not.
     Real speedScale(int i) const {
         return length(a.velocity) + std::fabs(a.angularVelocity) * length(point(i).anchorA) + length(b.velocity) +
                std::fabs(b.angularVelocity) * length(point(i).anchorB);
     }
-    void apply(int i, Vec2 impulse) {
-        applyImpulse(a, inertiaA, -impulse, point(i).anchorA);
-        applyImpulse(b, inertiaB, impulse, point(i).anchorB);
-    }
-    /// Normal velocity at point i for a unit normal impulse at point j.
-    Real response(int i, int j) const {
-        const Vec2 n = contact.normal;
-        return inertiaA.inverseMass + inertiaB.inverseMass +
-               inertiaA.inverseInertia * cross(point(i).anchorA, n) * cross(point(j).anchorA, n) +
-               inertiaB.inverseInertia * cross(point(i).anchorB, n) * cross(point(j).anchorB, n);
-    }
-    /// Tangential velocity at point i for a unit normal impulse there, and the other way round.
-    Real coupling(int i, Vec2 tangent) const {
-        const Vec2 n = contact.normal;
-        return inertiaA.inverseInertia * cross(point(i).anchorA, n) * cross(point(i).anchorA, tangent) +
-               inertiaB.inverseInertia * cross(point(i).anchorB, n) * cross(point(i).anchorB, tangent);
-    }
+    void apply(int i, Vec2 impulse) { blow.apply(i, impulse, a, b); }
 };
 
 /// Which points take part in an impact, and how.
@@ -63,14 +109,14 @@ struct Approach {
 };
 
 inline Approach approachOf(const ImpactProblem& problem, const ImpactRule& rule) {
-    const ContactConstraint& contact = problem.contact;
+    const ContactConstraint& contact = problem.contact();
     Approach approach;
     for (int i = 0; i < contact.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const Real speed = -dot(problem.relativeVelocity(i), contact.normal);
         approach.speed[k] = speed;
         approach.scale[k] = problem.speedScale(i);
-        if (contact.points[k].normalMass <= 0 || speed <= kRoundingRatio * approach.scale[k]) { continue; }
+        if (problem.blow.normalMass(i) <= 0 || speed <= kRoundingRatio * approach.scale[k]) { continue; }
         const bool bounces = contact.restitution > 0 && speed > rule.restitutionThreshold;
         const bool meets = rule.horizon <= 0 ||
                            currentSeparation(contact, contact.points[k], problem.a, problem.b) <= speed * rule.horizon;
@@ -80,9 +126,11 @@ inline Approach approachOf(const ImpactProblem& problem, const ImpactRule& rule)
     return approach;
 }
 
+inline BlowPair blowPairOf(const ContactConstraint& contact, const SolverBodies& bodies) {
+    return {contact, bodies.inertias[contact.slotA], bodies.inertias[contact.slotB]};
+}
 inline ImpactProblem problemOf(const ContactConstraint& contact, const SolverBodies& bodies) {
-    return {contact, bodies.states[contact.slotA], bodies.states[contact.slotB], bodies.inertias[contact.slotA],
-            bodies.inertias[contact.slotB]};
+    return {blowPairOf(contact, bodies), bodies.states[contact.slotA], bodies.states[contact.slotB]};
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -107,21 +107,18 @@ constexpr Real kSameApproach = Real(63) / Real(64);
 struct BodyPair {
     BodyState& a;
     BodyState& b;
-    const BodyInertia& inertiaA;
-    const BodyInertia& inertiaB;
+    BlowPair blow;
 
     Vec2 relativeVelocity(const ContactConstraintPoint& point) const {
         return velocityAt(b, point.anchorB) - velocityAt(a, point.anchorA);
     }
-    void apply(const ContactConstraintPoint& point, Vec2 impulse) const {
-        if (isMovable(inertiaA)) { applyImpulse(a, inertiaA, -impulse, point.anchorA); }
-        if (isMovable(inertiaB)) { applyImpulse(b, inertiaB, impulse, point.anchorB); }
-    }
+    void apply(std::size_t point, Vec2 impulse) const { blow.apply(static_cast<int>(point), impulse, a, b); }
+    Real normalMass(std::size_t point) const { return blow.normalMass(static_cast<int>(point)); }
+    Real tangentMass(std::size_t point) const { return blow.tangentMass(static_cast<int>(point)); }
 };
 
 BodyPair pairOf(const ContactConstraint& contact, const SolverBodies& bodies) {
-    return {bodies.states[contact.slotA], bodies.states[contact.slotB], bodies.inertias[contact.slotA],
-            bodies.inertias[contact.slotB]};
+    return {bodies.states[contact.slotA], bodies.states[contact.slotB], blowPairOf(contact, bodies)};
 }
 
 /// One Gauss–Seidel sweep of the projection. @return the largest change of a normal velocity, relative to the speeds
@@ -138,10 +135,11 @@ Real projectOnce(const SolverBodies& bodies, ImpactScratch& scratch) {
             if (!(before > 0)) { continue; }
             const Real speed = -dot(pair.relativeVelocity(point), contact.normal);
             Real& impulse = scratch.impulses[c][k];
-            const Real total = std::max(impulse + point.normalMass * speed, Real(0));
+            const Real mass = pair.normalMass(k);
+            const Real total = std::max(impulse + mass * speed, Real(0));
             if (total == impulse) { continue; }
-            pair.apply(point, (total - impulse) * contact.normal);
-            largest = std::max(largest, std::fabs(total - impulse) / (point.normalMass * scratch.scales[c][k]));
+            pair.apply(k, (total - impulse) * contact.normal);
+            largest = std::max(largest, std::fabs(total - impulse) / (mass * scratch.scales[c][k]));
             impulse = total;
         }
     }
@@ -173,7 +171,7 @@ void finishReflection(const SolverBodies& bodies, Real factor, const ImpactScrat
         const ContactConstraint& contact = *scratch.approaching[c];
         const BodyPair pair = pairOf(contact, bodies);
         for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k) {
-            pair.apply(contact.points[k], ((factor - 1) * scratch.impulses[c][k]) * contact.normal);
+            pair.apply(k, ((factor - 1) * scratch.impulses[c][k]) * contact.normal);
         }
     }
     for (std::size_t c = 0; c < scratch.approaching.size(); ++c) {
@@ -185,7 +183,7 @@ void finishReflection(const SolverBodies& bodies, Real factor, const ImpactScrat
             const Real impulse = factor * scratch.impulses[c][k];
             const Real limit = contact.friction * impulse;
             const Real slip = dot(pair.relativeVelocity(point), tangent) - contact.surfaceSpeed;
-            pair.apply(point, std::clamp(-point.tangentMass * slip, -limit, limit) * tangent);
+            pair.apply(k, std::clamp(-pair.tangentMass(k) * slip, -limit, limit) * tangent);
             point.totalNormalImpulse += impulse;
             point.bounceApproach = std::max(point.bounceApproach, scratch.speeds[c][k]);
         }
