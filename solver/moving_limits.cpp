@@ -11,7 +11,7 @@ void moveLimits(FreedomParts& parts, Real h) {
 void moveLimits(WheelConstraint& joint, Real h) { moveLimits(joint.suspension, h); }
 void moveLimits(DistanceConstraint& joint, Real h) {
     if (!joint.isGliding) { return; }
-    joint.length += h * joint.motion.glide.lower;
+    if (joint.isRigid) { joint.length += h * joint.motion.glide.lower; }  // that of a spring rests
     joint.minLength += h * joint.motion.glide.lower;
     joint.maxLength += h * joint.motion.glide.upper;
 }

@@ -148,6 +148,7 @@ void mergeOf(WorldState& world, std::span<TouchingPair> pairs) {
             return areOfOneGround(world, first, pair);
         });
         const auto count = static_cast<std::size_t>(rest - pairs.begin());
+        sortByContact(pairs.first(count));
         if (count > 1) { mergeFlush(world, pairs.first(count)); }
         pairs = pairs.subspan(count);
         sortByContact(pairs);

@@ -247,7 +247,6 @@ void assignByLoad(WorldState& world, double dt) {
 /// Chains that nothing touched, whose joints were solved all at once in the last step, and that are iterated in this
 /// one.
 void listLoosened(WorldState& world) {
-    world.loosenedChains.clear();
     for (const JointChain& chain : world.jointChains.list) {
         const Body& body = world.bodies[chain.lowest];
         const bool wasExact =
@@ -261,6 +260,7 @@ void listLoosened(WorldState& world) {
 }  // namespace
 
 void assignEfforts(WorldState& world, double dt) {
+    world.loosenedChains.clear();
     if (world.tied.empty()) { return; }
     const bool budgeted = hasErrorBudget(world.settings);
     const bool isByLoad = world.settings.profile == Profile::accurate || budgeted;

@@ -153,7 +153,7 @@ Real woundSpeed(const DrivenJoint& driven) { return driven.isYank ? driven.paceS
 
 void markDrivenAccounts(WorldState& world, const TiedGroup& group) {
     const std::vector<DrivenJoint>& all = world.drivenJoints;
-    if (group.role == BodyRole::solved || all.size() <= group.bodies.size()) {
+    if (group.role == BodyRole::solved) {
         for (const DrivenJoint& driven : all) { tell(world, driven, group.desk); }
         return;
     }

@@ -38,6 +38,7 @@ void scaleMemory(WeldConstraint& weld, Real factor) {
 void scaleMemory(MotorConstraint& motor, Real factor) {
     motor.linearImpulse = factor * motor.linearImpulse;
     motor.angularImpulse *= factor;
+    motor.hinge.guided = factor * motor.hinge.guided;
 }
 
 void scaleMemory(MouseConstraint& mouse, Real factor) {

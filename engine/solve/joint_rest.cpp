@@ -52,14 +52,20 @@ void giveRestLoad(WorldState& world, std::uint32_t slot, const JointLoad& load) 
     world.anyRestLoads = world.anyRestLoads || joint.restLoad.any();
 }
 
-/// Of the last step. @pre the joint was solved rigidly
+/// Of the last step; nothing of what gives way.
 JointLoad reactionOf(const WorldState& world, const Joint& joint) {
     switch (joint.type()) {
         case JointType::revolute:
             return {joint.reactionForce, 0};
-        case JointType::weld:
+        case JointType::weld: {
+            const WeldJointDef& def = std::get_if<JointPart<WeldJointDef, WeldConstraint>>(&joint.parts)->def;
+            if (def.linearSpring || def.angularSpring) { return {}; }
             return {joint.reactionForce, joint.reactionTorque};
+        }
         case JointType::distance: {
+            const DistanceJointDef& def =
+                std::get_if<JointPart<DistanceJointDef, DistanceConstraint>>(&joint.parts)->def;
+            if (def.spring || def.limits) { return {}; }
             const DVec2 rod = apply(world.motions[joint.bodyB].pose, joint.localAnchorB) -
                               apply(world.motions[joint.bodyA].pose, joint.localAnchorA);
             return {{dot(normalized(toReal(rod)).unit, joint.reactionForce), 0}, 0};
@@ -106,12 +112,15 @@ std::vector<Vec2> forcesOnMembers(WorldState& world, std::span<const std::uint32
 std::vector<std::uint32_t> balancedOf(WorldState& world, std::span<const std::uint32_t> chains) {
     const std::vector<Vec2> forces = forcesOnMembers(world, chains);
     const Real gravity = length(world.settings.gravity);
-    std::vector<std::uint32_t> balanced(chains.begin(), chains.end());
+    std::vector<std::uint32_t> moving;  // some of them more than once
     for (std::size_t i = 0; i < forces.size(); ++i) {
         const auto [body, lowest] = world.jointChains.members[i];
         const Real most = kMostUnbalanced * static_cast<Real>(world.bodies[body].mass) * gravity;
-        if (length(forces[i]) > most || isOnTheMove(world, body)) { std::erase(balanced, lowest); }
+        if (length(forces[i]) > most || isOnTheMove(world, body)) { moving.push_back(lowest); }
     }
+    std::sort(moving.begin(), moving.end());
+    std::vector<std::uint32_t> balanced(chains.begin(), chains.end());
+    std::erase_if(balanced, [&moving](std::uint32_t lowest) { return isAmong(moving, lowest); });
     return balanced;
 }
 

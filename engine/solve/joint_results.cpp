@@ -8,6 +8,8 @@ namespace swept::inline SWEPT_PRECISION {
 void takeReaction(Joint& joint, const JointReaction& total, Real dt) {
     joint.reactionForce = (1 / dt) * total.impulse;
     joint.reactionTorque = (1 / dt) * total.twist;
+    // A torque is a force times a lever, and overflows before its bodies do.
+    if (!isFinite(joint.reactionForce) || !std::isfinite(joint.reactionTorque)) { forgetImpulses(joint); }
 }
 
 void takeHinge(Joint& joint, const RevoluteConstraint& constraint, Real dt) {
@@ -55,8 +57,6 @@ void readConstraints(SolverBatch& batch, WorldState& world, Real dt) {
                     if constexpr (std::is_same_v<typename Part::Constraint, Constraint>) { part.memory = constraint; }
                 });
                 takeReaction(joint, constraint.total, dt);
-                // A torque is a force times a lever, and overflows before its bodies do.
-                if (!isFinite(joint.reactionForce) || !std::isfinite(joint.reactionTorque)) { forgetImpulses(joint); }
             }
             if constexpr (std::is_same_v<Constraint, MotorConstraint>) { giveToHinge(world, constraint.hinge, dt); }
         }

@@ -6,7 +6,8 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// What a solve found. @param dt  that was solved
+/// What a solve found, unless it overflowed: then its impulses, which are there already, are forgotten.
+/// @param dt  that was solved
 void takeReaction(Joint& joint, const JointReaction& total, Real dt);
 void takeHinge(Joint& joint, const RevoluteConstraint& constraint, Real dt);
 
