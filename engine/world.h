@@ -176,11 +176,12 @@ public:
     /// mixings, and in f64 "density" (of dynamic bodies; `isWeighable` in mass.h); `notFinite`.
     Result<ShapeId> addShape(BodyId body, const Polygon& polygon, const ShapeDef& def = {});
     /// A chain of one-sided segments, on static and kinematic bodies; one id for all of it. Solid on the left of its
-    /// direction: ground is listed from right to left, a counter-clockwise loop is solid inside. What comes from the
-    /// left passes: a level one is a platform to jump onto from below. Whoever turns back half way falls through it
-    /// again: a shape that came through is held once all of it is on the right. Where it goes on as another chain (of
-    /// the same body, or both fixed), `neighbours` are the next points there, in the frame of this one's body: nothing
-    /// catches on where they meet, and the end stops nothing that comes from beside.
+    /// direction: ground is listed from right to left, a counter-clockwise loop is solid inside (to queries it is not:
+    /// they see its segments). What comes from the left passes: a level one is a platform to jump onto from below.
+    /// Whoever turns back half way falls through it again: a shape that came through is held once all of it is on the
+    /// right. Where it goes on as another chain (of the same body, or both fixed), `neighbours` are the next points
+    /// there, in the frame of this one's body: nothing catches on where they meet, and the end stops nothing that comes
+    /// from beside.
     /// Errors: `wrongBodyType` of dynamic bodies; with "points" `tooFewVertices` (fewer than 2, of a loop 3) and
     /// `degenerate` (two neighbours are equal); `negative` (radius); with "before" and "after" `degenerate` (equal to
     /// that end) and `outOfRange` (of a loop); of `def` as of addShape.

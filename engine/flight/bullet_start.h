@@ -15,7 +15,8 @@ Aabb realmAtStart(const WorldState& world, std::uint32_t slot, Real dt);
 /// The number of the clash that the body was in before that dissolved (clash.h), else `kNoIndex`.
 std::uint32_t dissolvedClashOf(const WorldState& world, std::uint32_t slot);
 /// Who is a partner from the start of the step on, into `BulletWork::early`: bullets, and what is fast, or was moved
-/// far, and near enough to get to where they may get. But bullets that sleep, or hardly move, are no more than what others may meet
+/// far, and near enough to get to where they may get. But bullets that sleep, or hardly move, are no more than what
+/// others may meet
 /// (`BulletWork::areSomeAtRest`): those in a pile cost as much as if they were none. And how far all but the early ones
 /// move: `BulletWork::drift`.
 void findEarly(WorldState& world, Real dt);

@@ -250,7 +250,7 @@ void findOrder(WorldState& world) {
 }  // namespace
 
 void sortEvents(WorldState& world) {
-    findOrder(world);
+    if (!world.contactEvents.empty()) { findOrder(world); }
     std::sort(world.lostTime.begin(), world.lostTime.end(), [](const LostTimeEntry& a, const LostTimeEntry& b) {
         return std::tie(a.body.index, a.seconds, a.reason) < std::tie(b.body.index, b.seconds, b.reason);
     });

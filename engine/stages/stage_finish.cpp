@@ -223,6 +223,7 @@ void putToSleep(WorldState& world, double dt) {
     const std::vector<Tiredness>& tiredness = world.tiredness;
     if (std::find(tiredness.begin(), tiredness.end(), Tiredness::tired) != tiredness.end()) { restIslands(world); }
     std::vector<BodyId>& asleep = world.bodiesFellAsleep;
+    if (asleep.empty()) { return; }
     std::sort(asleep.begin(), asleep.end(), [](BodyId a, BodyId b) { return a.index < b.index; });
 }
 

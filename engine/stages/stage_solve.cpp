@@ -101,6 +101,7 @@ void listJointsOfClass(WorldState& world, Effort effort, bool isAlone) {
         return anyOf(bodies, isOfClass);
     };
     world.tiedJoints.clear();
+    if (world.activeJoints.empty()) { return; }
     forEachMeant(*world.loops, world.activeJoints, kJointGrain, world.answers, isJointOfClass,
                  [&world](std::uint32_t joint) { world.tiedJoints.push_back(joint); });
 }
