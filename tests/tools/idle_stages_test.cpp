@@ -62,11 +62,13 @@ std::vector<Stage> stages() {
 }
 
 /// Functions that find out who needs what (roles, efforts, who may be settled), and lines that are there with or
-/// without joints: calls of what is solved anyway.
+/// without joints: calls of what is solved, coloured and listed anyway.
 const std::regex kFindsOut(
     "roleOf|isFlyer|assignRoles|noteContact|resetBody|begin|finish|colourContacts|assignEfforts|addContactsAndJoints|"
     "isTree|isCrowd|loadOf|addBody|effortFor|solveTiedBodies|listCandidates");
-const std::regex kCalls("void |counters|countSolve\\(|solveGroup\\(|solver\\.solve\\(|clearAllButJoints|kJoints[>,]");
+const std::regex kCalls(
+    "void |counters|countSolve\\(|solveGroup\\(|solver\\.solve\\(|clearAllButJoints|kJoints[>,]|"
+    "colourAhead\\(|isListed_ =|solveWith<");
 
 struct SourceLine {
     std::string text;
@@ -106,9 +108,11 @@ TEST(IdleStages, CallgrindFilesAreRead) {
     EXPECT_EQ(costs.at({"b.h", 11}), 30);
 }
 
-TEST(IdleStages, CostAtMostTwentyInstructionsAStep) {
+/// Each way in which joints may matter (new ones, driven ones, loads at rest, lent energy, chains adrift, …) has a
+/// comparison of its own in front of it: thirteen by now, of two or three instructions.
+TEST(IdleStages, CostAtMostFortyInstructionsAStep) {
     constexpr int kSteps = 20;
-    constexpr double kMostInstructions = 20;
+    constexpr double kMostInstructions = 40;
     const ScratchDirectory scratch;
     const std::string scene = scratch.write("idle.json", idleScene());
     const LineCosts few = costsOf(scene, kSteps, scratch);

@@ -26,7 +26,7 @@ struct Measure {
 using Verdict = std::function<std::string(const Frames&)>;
 
 struct Case {
-    std::string group;  ///< "stacks", "mass", "sizes", "known", "bounce", "landings"
+    std::string group;  ///< "stacks", "mass", "sizes", "known", "bounce", "held", "landings"
     std::string name;   ///< unique: "stack-50", "chain-R100"
     SceneDescription scene;
     std::int64_t steps = 600;
@@ -47,6 +47,8 @@ std::vector<Case> slopeCases();
 std::vector<Case> knownCases();
 /// Balls that bounce.
 std::vector<Case> bounceCases();
+/// Balls that bounce off what joints hold.
+std::vector<Case> heldCases();
 /// What comes down and does not bounce.
 std::vector<Case> landingCases();
 /// All of them, in this order.

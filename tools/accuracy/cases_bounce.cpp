@@ -94,7 +94,7 @@ std::vector<Case> bounceCases() {
 
 std::vector<Case> allCases() {
     std::vector<Case> cases;
-    for (const auto& make : {stackCases, massCases, sizeCases, knownCases, bounceCases, landingCases}) {
+    for (const auto& make : {stackCases, massCases, sizeCases, knownCases, bounceCases, heldCases, landingCases}) {
         for (Case& c : make()) { cases.push_back(std::move(c)); }
     }
     return cases;
