@@ -41,7 +41,7 @@ struct SolveReport {
     int weldBlocks = 0;     ///< of welds
     int contactBlocks = 0;  ///< of contacts that were solved side by side
     int bounceRounds = 0;   ///< over all sub-steps
-    int speedsLimited = 0;  ///< body-sub-steps at which `maxSpeed` cut a speed
+    int speedsLimited = 0;  ///< times that `maxSpeed` cut the speed of a body: in a sub-step of halves, of each
     bool isDirect = false;  ///< whether the direct solver took part
     /// Sub-steps of the island that had most, and of each body, summed up; 0: those that were asked for.
     int mostSubSteps = 0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -159,39 +158,38 @@ private:
     std::size_t count_ = 0;
 };
 
-/// By Cholesky's method, row by row: first what each row has to take of the blow, less what those before it do; then
-/// its impulse, from the last row back.
+/// By elimination (LDLᵀ: roots would round otherwise in other units), row by row: first what each row has to take of
+/// the blow, less what those before it do; then its impulse, from the last row back.
 Moved HeldBody::movedBy(const HeldRow& blow) const {
     std::array<std::array<double, kMostRows>, kMostRows> factor{};
+    std::array<double, kMostRows> pivot{};  // 0: the rows before it hold it already
     std::array<double, kMostRows> part{};
     for (std::size_t i = 0; i < count_; ++i) {
         const double whole = answer(rows_[i], rows_[i]);
         double rest = whole;
         double push = answer(rows_[i], blow);
         for (std::size_t j = 0; j < i; ++j) {
-            if (!(factor[j][j] > 0)) { continue; }
+            if (!(pivot[j] > 0)) { continue; }
             double shared = answer(rows_[i], rows_[j]);
-            for (std::size_t k = 0; k < j; ++k) { shared -= factor[i][k] * factor[j][k]; }
-            factor[i][j] = shared / factor[j][j];
-            rest -= factor[i][j] * factor[i][j];
+            for (std::size_t k = 0; k < j; ++k) { shared -= factor[i][k] * pivot[k] * factor[j][k]; }
+            factor[i][j] = shared / pivot[j];
+            rest -= factor[i][j] * shared;
             push -= factor[i][j] * part[j];
         }
-        if (!(rest > kHeldAlready * whole)) {
-            factor[i] = {};
-            continue;
+        if (rest > kHeldAlready * whole) {
+            pivot[i] = rest;
+            part[i] = push;
         }
-        factor[i][i] = std::sqrt(rest);
-        part[i] = push / factor[i][i];
     }
     Moved moved{.velocity = inverseMass_ * blow.along, .spin = inverseInertia_ * blow.turn};
     std::array<double, kMostRows> impulse{};
     for (std::size_t i = count_; i-- > 0;) {
-        if (!(factor[i][i] > 0)) { continue; }
-        double sum = part[i];
+        if (!(pivot[i] > 0)) { continue; }
+        double sum = part[i] / pivot[i];
         for (std::size_t j = i + 1; j < count_; ++j) { sum -= factor[j][i] * impulse[j]; }
-        impulse[i] = sum / factor[i][i];
-        moved.velocity -= inverseMass_ * impulse[i] * rows_[i].along;
-        moved.spin -= inverseInertia_ * impulse[i] * rows_[i].turn;
+        impulse[i] = sum;
+        moved.velocity -= inverseMass_ * sum * rows_[i].along;
+        moved.spin -= inverseInertia_ * sum * rows_[i].turn;
     }
     return moved;
 }

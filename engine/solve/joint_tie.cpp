@@ -29,7 +29,7 @@ private:
 };
 bool isPlain(const Joint& joint) { return std::visit(PlainJoints{}, joint.parts); }
 
-/// Whether a joint has a motor or a spring: what it holds keeps no energy.
+/// Whether a hinge, slider, wheel or rod has a motor or a spring: what it holds keeps no energy.
 struct PoweredJoints {
     template <class Part>
     bool operator()(const Part& part) const {

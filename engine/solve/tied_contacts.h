@@ -10,10 +10,10 @@ namespace swept::inline SWEPT_PRECISION {
 /// The contacts of a group that is solved: made constraints of, and given their impulses back.
 class TiedContacts final : public ContactStore {
 public:
+    /// Holds on to the world and the group.
     /// @param h  seconds of a sub-step. In one shorter than the world's, overlap is pushed out no faster than in that:
     /// what the relaxation leaves of the push would be energy.
     /// @param scale  of the impulses that are kept, which are those of the world's sub-steps
-    /// Holds on to the world and the group.
     TiedContacts(WorldState& world, const TiedGroup& group, const StepPart& part, Real h, Real scale);
 
     /// Gives the batch links to contacts that it takes from here when it is solved.

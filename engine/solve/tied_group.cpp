@@ -54,7 +54,8 @@ SolvePlan planOf(const TiedGroup& group, const StepPart& part) {
             .part = part};
 }
 
-/// Impulses that are kept are those of the world's sub-steps; but islands that advance keep their own.
+/// Impulses that contacts keep are those of the world's sub-steps; but islands that advance keep their own, and joints
+/// those of their last solve.
 Real keptImpulseScale(const WorldState& world, const TiedGroup& group, const StepPart& part) {
     if (group.role != BodyRole::solved) { return 1; }
     return static_cast<Real>(subStepsOf(world.settings)) / static_cast<Real>(part.subSteps);

@@ -17,7 +17,7 @@ struct ContactRow {
     Manifold manifold;  ///< at the start of the present step, frame of body A
 
     std::array<Real, 2> normalImpulse{};   ///< warm start, by point of the manifold
-    std::array<Real, 2> tangentImpulse{};  ///< likewise; one point leaves the second number to the store
+    std::array<Real, 2> tangentImpulse{};  ///< likewise; of one point that rolls the second one is that of rolling
     std::array<Real, 2> totalImpulse{};    ///< normal impulse over the last step, N·s
     Real friction = 0;
     Real restitution = 0;

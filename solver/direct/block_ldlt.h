@@ -29,8 +29,8 @@ struct NodeRange {
 /// fill, in time proportional to the number of nodes. The order depends on the edges alone.
 class BlockLdlt {
 public:
-    /// Order and places of all blocks. Costs nothing when nodes, edges and `mostBlocks` are those of the last
-    /// call.
+    /// Order and places of all blocks. When nodes, edges and `mostBlocks` are those of the last call they are compared,
+    /// and nothing else is done.
     /// @param mostBlocks  the factor may have no more blocks below the diagonal
     /// @return false when it would; the matrix is then not to be used
     bool analyse(std::uint32_t nodes, std::span<const BlockEdge> edges, std::size_t mostBlocks);

@@ -19,11 +19,11 @@ constexpr int kMostRoundsOfMany = 40;
 /// The same for a whole solve: a web of 256 bodies that never settles must not stop the world. The first few are not
 /// counted, the others all solves of a step share.
 constexpr int kMostRoundsOfSolve = 48;
+constexpr int kMostRoundsOfManySolve = 150;  ///< of many bodies (`kMostRoundsOfMany`)
 constexpr int kUsualRoundsOfSolve = 4;
 /// Whoever is held otherwise after so many rounds of a solve asks for more than half of what is usual in a sub-step
 /// (effort.cpp).
 constexpr int kRoundsOfNoNote = 3;
-constexpr int kMostRoundsOfManySolve = 150;
 /// Dampers are then made weaker by this, as often as that. What they leave is mended by the next solve. Among many
 /// bodies less at a time: with 1/64 the first solves of a pyramid of 1275 boxes left 2 cm/s, with 1/8 0.2 mm/s.
 constexpr double kWeaker = 1.0 / 64;

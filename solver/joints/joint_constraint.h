@@ -20,10 +20,10 @@ struct JointReaction {
 /// start of the step.
 ///
 /// Every kind offers the same functions: `prepare(joint, inertias)` before the first sub-step (drops warm-start
-/// impulses of parts the joint no longer has, computes what stays the same in all sub-steps), `warmStart(joints,
-/// bodies)`, `solve(joints, bodies, h, useBias)` (`useBias` false: relaxation, only velocities), `reactionOf(joint)`
-/// (of the last sub-step), and `bodySlots(joint)`, the bodies that it moves. The span of one call shares no body, or is
-/// solved in order.
+/// impulses of limits, motors and springs that it no longer has, computes what stays the same in all sub-steps),
+/// `warmStart(joints, bodies)`, `solve(joints, bodies, h, useBias)` (`useBias` false: relaxation, only velocities),
+/// `reactionOf(joint)` (of the last sub-step), and `bodySlots(joint)`, the bodies that it moves. The span of one call
+/// shares no body, or is solved in order.
 struct JointConstraint {
     BodySlot slotA = kFixedSlot;
     BodySlot slotB = kFixedSlot;
