@@ -59,9 +59,7 @@ TEST(FastIslands, AHingedBarStaysOnItsSideOfAPin) {
                     EXPECT_FALSE(result.escaped) << name;
                     EXPECT_LE(result.stretch, 0.1) << name;
                     EXPECT_LE(result.gain, 1 + 1e-4) << name;
-                    // What bounces keeps its speed: at 500 rad/s it comes back to the pin several times in a step.
-                    // (When it lost that with its first bounces, since these took no notice of the hinge, it lost no
-                    // time.)
+                    // What bounces keeps its speed, and comes back to the pin several times in a step.
                     EXPECT_LE(result.lost, restitution * spin > 100 ? 0.005 : 0.001) << name;
                 }
             }
