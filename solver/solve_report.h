@@ -43,6 +43,7 @@ struct SolveReport {
     int bounceRounds = 0;   ///< over all sub-steps
     int speedsLimited = 0;  ///< times that `maxSpeed` cut the speed of a body: in a sub-step of halves, of each
     bool isDirect = false;  ///< whether the direct solver took part
+    bool isExact = false;   ///< of rigid joints alone, each island by itself: but for `Solver::gaveWay`, without error
     /// Sub-steps of the island that had most, and of each body, summed up; 0: those that were asked for.
     int mostSubSteps = 0;
     std::uint64_t bodySubSteps = 0;

@@ -361,7 +361,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
 }
 
 SolveReport Solver::solveIslands(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops) {
-    SolveReport report{.isDirect = true};
+    SolveReport report{.isDirect = true, .isExact = true};
     const Real h = settings.dt / static_cast<Real>(settings.subSteps);
     islands_.solve(batch, h, settings.subSteps, loops, report);
     if (settings.maxSpeed < std::numeric_limits<Real>::infinity()) {

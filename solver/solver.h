@@ -71,6 +71,8 @@ public:
 
     /// Of the last solve. @pre its `SolveReport::isDirect`, of all contacts
     SearchEffort searchEffortOf(BodySlot slot) const { return direct_.effortOf(slot); }
+    /// Likewise. @pre `SolveReport::isExact`
+    bool gaveWay(BodySlot slot) const { return islands_.gaveWay(slot); }
 
 private:
     /// A colour, and those that were joined to it.

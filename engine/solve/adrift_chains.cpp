@@ -152,8 +152,7 @@ private:
 
 void keepSpinOfAdrift(const WorldState& world, const TiedGroup& group) {
     const JointChains& chains = world.jointChains;
-    const bool isExact = group.effort.direct == DirectScope::islands;
-    if (!chains.isAnyAdrift || chains.tieSleepers || group.joints.empty() || isExact) { return; }
+    if (!chains.isAnyAdrift || chains.tieSleepers || group.joints.empty() || group.desk.isExact) { return; }
     AdriftChains adrift(world, group);
     adrift.addUpMotions();
     if (!adrift.findWholes()) { return; }

@@ -1,6 +1,7 @@
 #include "energy_calm.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,9 @@ bool goesOn(const EnergyAccount& account) {
     return account.kinetic > kLeastPart * account.way;
 }
 
+/// Of a speed, where so much of its energy is taken.
+double partLeft(double energy, double taken) { return energy > taken ? std::sqrt(1 - taken / energy) : 0; }
+
 class Calmer {
 public:
     Calmer(WorldState& world, const TiedGroup& group) : world_(world), group_(group) {}
@@ -47,9 +51,14 @@ public:
         findPlacesBack(time, mayBe);
         changePlaces();
         noteGaps(mayBe, &EnergyAccount::gapBefore);
-        std::erase_if(places_, [&](const Place& place) { return isOff(accountOf(world_, place.slot)); });
+        for (const std::uint32_t root : group_.desk.energyRoots) {
+            EnergyAccount& account = world_.energyAccounts[root];
+            account.isCalmed = pays(account) && isOff(account);
+        }
+        std::erase_if(places_, [this](const Place& place) { return accountOf(world_, place.slot).isCalmed; });
         changePlaces();  // the others are there again
-        forget(isOff);
+        payForWays();
+        forget();
     }
 
 private:
@@ -91,21 +100,73 @@ private:
     /// Where a body gets with what is left of its motion relative to its island, as the island goes as a whole.
     template <class IsMeant>
     void findPlacesBack(double time, const IsMeant& isMeant) {
-        const SolveDesk& desk = group_.desk;
+        SolveDesk& desk = group_.desk;
         for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
             if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
             const std::uint32_t slot = desk.bodies[i];
             const EnergyAccount& account = accountOf(world_, slot);
             if (!pays(account) || !isMeant(account)) { continue; }
+            const Body& body = world_.bodies[slot];
             const IslandMotion& island = desk.islandMotions[account.motion];
             const DVec2 arm = world_.motions[slot].center - world_.motions[island.root].center - island.center;
             const DVec2 whole = island.keptVelocity + island.keptSpin * DVec2{-arm.y, arm.x};
             const double part = 1 - island.share;
             const BodyMotion& motion = world_.motions[slot];
-            const double turned = time * island.keptSpin - static_cast<double>(desk.energyEntries[i].turned);
-            places_.push_back({slot, motion.center + part * (time * whole - toDouble(desk.energyEntries[i].moved)),
-                               motion.angle + part * turned});
+            EnergyEntry& entry = desk.energyEntries[i];
+            const DVec2 back = part * (time * whole - toDouble(entry.moved));
+            const double turned = part * (time * island.keptSpin - static_cast<double>(entry.turned));
+            places_.push_back({slot, motion.center + back, motion.angle + turned});
+            entry.work += body.mass * dot(toDouble(accelerationOf(world_, body)), back);
+            entry.turningWork += static_cast<double>(body.torque) * turned;
         }
+    }
+
+    double kineticOf(std::uint32_t slot) const {
+        const Body& body = world_.bodies[slot];
+        const BodyMotion& motion = world_.motions[slot];
+        return 0.5 * (body.mass * squared(toDouble(motion.velocity)) +
+                      inertiaOf(body) * squared(static_cast<double>(motion.angularVelocity)));
+    }
+
+    template <class Visit>
+    void forEachCalmed(const Visit& visit) {
+        const SolveDesk& desk = group_.desk;
+        for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+            if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
+            EnergyAccount& account = accountOf(world_, desk.bodies[i]);
+            if (account.isCalmed) { visit(account, desk.energyEntries[i], desk.bodies[i]); }
+        }
+    }
+
+    /// Gravity gave nothing for ways that were not gone. (Twelve boxes on hinges that did not fit each other were
+    /// thrown down by a kilometre, put back, and left with the energy of that fall.) @pre they are put back
+    void payForWays() {
+        SolveDesk& desk = group_.desk;
+        for (const std::uint32_t root : desk.energyRoots) {
+            EnergyAccount& account = world_.energyAccounts[root];
+            if (!account.isCalmed) { continue; }
+            account.gained -= account.kinetic;
+            account.kinetic = account.work = 0;
+        }
+        forEachCalmed([this](EnergyAccount& account, const EnergyEntry& entry, std::uint32_t slot) {
+            const double kinetic = kineticOf(slot);
+            account.kinetic += kinetic;
+            account.gained += kinetic;
+            account.work += entry.work + entry.turningWork;
+        });
+        forEachCalmed([&](const EnergyAccount& account, const EnergyEntry&, std::uint32_t slot) {
+            const double excess = excessOf(account);
+            if (!(excess > 0)) { return; }
+            const IslandMotion& island = desk.islandMotions[account.motion];
+            const double whole = 0.5 * island.mass * squared(island.keptVelocity);
+            const double own = account.kinetic - whole;
+            const double left = partLeft(own, excess);
+            const double wholeLeft = partLeft(whole, std::max(excess - std::max(own, 0.0), 0.0));
+            BodyMotion& motion = world_.motions[slot];
+            const DVec2 relative = toDouble(motion.velocity) - island.keptVelocity;
+            motion.velocity = toReal(wholeLeft * island.keptVelocity + left * relative);
+            motion.angularVelocity *= static_cast<Real>(left);
+        });
     }
 
     /// Of bodies and what is noted: twice, and all are where they were, to the bit.
@@ -119,9 +180,10 @@ private:
     }
 
     /// What the next step would begin with.
-    template <class IsMeant>
-    void forget(const IsMeant& isMeant) {
-        const auto isCalmed = [&](const EnergyAccount& account) { return pays(account) && isMeant(account); };
+    void forget() {
+        const auto isCalmed = [this](const EnergyAccount& account) {
+            return account.solve == group_.desk.energySolve && account.isCalmed;
+        };
         for (const std::uint32_t i : group_.joints) {
             if (isCalmed(accountOf(world_, world_.jointTies[i]))) { forgetStart(world_.joints[i]); }
         }

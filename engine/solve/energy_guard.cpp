@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 #include "../../solver/joint_islands/joint_island.h"
 #include "../containers/any_of.h"
@@ -12,10 +10,9 @@
 #include "energy_calm.h"
 #include "energy_gain.h"
 #include "energy_shares.h"
+#include "energy_sources.h"
 #include "joint_builder.h"
 #include "lent_energy.h"
-#include "motor_work.h"
-#include "spring_energy.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -101,15 +98,23 @@ void findFed(WorldState& world, const TiedGroup& group) {
 
 void noteJointed(EnergyAccount& account, bool isExact, std::uint32_t anchors) {
     account.isJointed = true;
-    account.isFed = account.isFed || isExact;
+    account.isFed = account.isFed || (isExact && !account.gaveWay);
     account.isAnchored = account.isAnchored || anchors > 0;
     account.anchors += anchors;
 }
 
+void noteWhatGaveWay(WorldState& world, const SolveDesk& desk) {
+    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+        if (!isMovable(desk.batch.inertias[i + 1]) || !desk.solver.gaveWay(static_cast<BodySlot>(i + 1))) { continue; }
+        accountOf(world, desk.bodies[i]).gaveWay = true;
+    }
+}
+
 /// Which islands have joints, and whether these drive them or hold them to something. Joints that are solved exactly
-/// have accounts of their own (`JointIsland`).
+/// have accounts of their own (`JointIsland`), but for what nothing holds and gave way.
 void noteJointed(WorldState& world, const TiedGroup& group) {
-    const bool isExact = group.effort.direct == DirectScope::islands;
+    const bool isExact = group.desk.isExact;
+    if (isExact && group.desk.anyGaveWay) { noteWhatGaveWay(world, group.desk); }
     if (group.role == BodyRole::solved) {  // most of all that is awake: what is known of whole chains is enough
         for (const JointChain& chain : world.jointChains.list) {
             EnergyAccount& account = accountOf(world, chain.lowest);
@@ -272,87 +277,6 @@ void book(WorldState& world, SolveDesk& desk) {
     }
     if (account != nullptr) { sums.writeTo(*account); }
 }
-
-namespace {
-
-/// How a body stood and moved before the solve, from what that did to it.
-BodyMotion motionBefore(const WorldState& world, const SolveDesk& desk, std::uint32_t slot) {
-    BodyMotion motion = world.motions[slot];
-    if (world.solverSlots[slot] == kFixedSlot) { return motion; }
-    const EnergyEntry& entry = desk.energyEntries[world.solverSlots[slot] - 1];
-    motion.center -= toDouble(entry.moved);
-    motion.angle -= static_cast<double>(entry.turned);
-    motion.pose.rotation = rotationFromAngle(motion.angle);
-    motion.velocity = entry.velocityBefore;
-    motion.angularVelocity = entry.spinBefore;
-    return motion;
-}
-
-/// Of what moves in a solve: its place there, once more while springs are asked.
-void placeMovable(WorldState& world, const SolveDesk& desk, bool isAsked) {
-    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-        world.solverSlots[desk.bodies[i]] = isAsked ? static_cast<BodySlot>(i + 1) : kFixedSlot;
-    }
-}
-
-/// What motors may have given islands that gained more than gravity and forces gave them, and what did give them that
-/// follows targets.
-void bookMotors(WorldState& world, const TiedGroup& group, double time) {
-    const auto isAsked = [&](const JointTie& tie) {
-        if (tie.isPassive) { return false; }
-        const EnergyAccount& account = accountOf(world, tie);
-        return account.solve == group.desk.energySolve && !account.isFed && account.gained > account.work;
-    };
-    bool isPlaced = false;
-    for (const std::uint32_t i : group.joints) {
-        const JointTie& tie = world.jointTies[i];
-        if (!isAsked(tie)) { continue; }
-        EnergyAccount& account = accountOf(world, tie);
-        const Joint& joint = world.joints[i];
-        const double most = mostWorkOf(joint, time);
-        if (!std::isinf(most)) {
-            account.motors += most;
-            continue;
-        }
-        if (!std::exchange(isPlaced, true)) { placeMovable(world, group.desk, true); }
-        const JointMoves moves{.beforeA = motionBefore(world, group.desk, tie.bodyA),
-                               .beforeB = motionBefore(world, group.desk, tie.bodyB),
-                               .afterA = world.motions[tie.bodyA],
-                               .afterB = world.motions[tie.bodyB]};
-        account.motors += workDoneBy(world, joint, moves);
-        account.isSprung = true;
-    }
-    if (isPlaced) { placeMovable(world, group.desk, false); }
-}
-
-/// What springs gave, or took, of islands that gained more than gravity and forces gave them. Of others nobody need
-/// know.
-void bookSprings(WorldState& world, const TiedGroup& group, Real h) {
-    const auto isAsked = [&](std::uint32_t joint) {
-        const JointTie& tie = world.jointTies[joint];
-        if (!tie.isSprung) { return false; }
-        const EnergyAccount& account = accountOf(world, tie);
-        return account.solve == group.desk.energySolve && account.gained > account.work;
-    };
-    if (noneOf(group.joints, isAsked)) { return; }
-    placeMovable(world, group.desk, true);
-    for (const std::uint32_t i : group.joints) {
-        if (!isAsked(i)) { continue; }
-        const JointTie& tie = world.jointTies[i];
-        const Joint& joint = world.joints[i];
-        const double before = springEnergyOf(world, joint, h, motionBefore(world, group.desk, tie.bodyA),
-                                             motionBefore(world, group.desk, tie.bodyB));
-        const double after = springEnergyOf(world, joint, h, world.motions[tie.bodyA], world.motions[tie.bodyB]);
-        EnergyAccount& account = accountOf(world, tie);
-        account.springs += before - after;
-        account.stored += after;
-        account.isSprung = true;
-    }
-    placeMovable(world, group.desk, false);
-}
-
-}  // namespace
 
 void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h) {
     const std::vector<std::uint32_t>& roots = group.desk.energyRoots;

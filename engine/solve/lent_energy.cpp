@@ -100,7 +100,7 @@ std::uint64_t mixed(JointId id) {
 }  // namespace
 
 void noteLent(WorldState& world, const TiedGroup& group) {
-    if (group.effort.direct == DirectScope::islands) { return; }  // exactly: these open no joints
+    if (group.desk.isExact) { return; }  // exactly: these open no joints
     if (group.role == BodyRole::solved) {
         noteLentOfAll(world, group.desk);
     } else {

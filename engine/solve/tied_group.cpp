@@ -186,6 +186,8 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     if (!way.areLinked) { contacts.addConstraints(); }
     const SolveReport report = solveBatch(world, group, settingsOf(world, group, plan, way));
     if (!way.areLinked) { contacts.readConstraints(); }
+    desk.isExact = report.isExact;
+    desk.anyGaveWay = report.direct.givenUp > 0;
     readBodies(world, group, plan.time, plan.h);
     const bool isSearch = plan.scope == DirectScope::all;
     const bool isSolved = !isSearch || (report.isDirect && report.direct.givenUp == 0);

@@ -27,6 +27,7 @@ struct EnergyAccount {
     bool isFed = false;     ///< from outside: by belts, kinematic bodies, calls; what it gains is no error
     bool isYanked = false;  ///< a call moved what a joint holds far: its gap is closed at no cost
     bool isJointed = false;
+    bool gaveWay = false;       ///< where others were solved exactly (`Solver::gaveWay`)
     bool isTouching = false;    ///< something; noted only of what may have gained
     std::uint32_t anchors = 0;  ///< joints that tie it to what is not dynamic
     bool isAnchored = false;    ///< one of them, or a gear, does so
@@ -38,9 +39,10 @@ struct EnergyAccount {
     bool isTorn = false;  ///< its joints cannot all hold, and it goes faster than it is led: so it pays
     Real gapBefore = 0;   ///< of its joints and limits (energy_calm.cpp), of what may have burst
     Real gapAfter = 0;
-    double way = 0;        ///< kinetic, if its bodies had gone evenly to where they are, of what may have burst
-    double leadSpeed = 0;  ///< of the fastest one, m/s
-    double leadSpin = 0;   ///< rad/s
+    bool isCalmed = false;  ///< was put back
+    double way = 0;         ///< kinetic, if its bodies had gone evenly to where they are, of what may have burst
+    double leadSpeed = 0;   ///< of the fastest one, m/s
+    double leadSpin = 0;    ///< rad/s
     std::uint32_t carrier = kNone;  ///< slot of the kinematic body that turns most
     double led = 0;                 ///< kinetic energy, if all of it went along with them
     std::uint32_t motion = kNone;   ///< of the island, an index

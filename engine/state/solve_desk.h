@@ -48,6 +48,8 @@ struct alignas(kCacheLine) SolveDesk {
     std::vector<IslandMotion> islandMotions;  ///< likewise
     std::vector<IslandMotion> motionsBefore;  ///< scratch: the same, before the solve
     std::uint64_t energySolve = 0;            ///< its number
+    bool isExact = false;                     ///< the present solve (`SolveReport`)
+    bool anyGaveWay = false;                  ///< of its islands, where it is exact
     std::vector<ChainSpin> chainSpins;        ///< scratch, by place in the list of chains
 
     std::vector<ContactEvent> events;

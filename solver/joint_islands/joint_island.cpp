@@ -252,7 +252,7 @@ bool JointIsland::keepsEnergy(double h, int subSteps, double begun) {
     const double scale = begun + after + flow;
     const double change = std::fabs(after - before);
     const bool keeps = change <= kMostEnergyRatio * scale;
-    const bool isHeld = bodies_.size() > columns_;
+    const bool isHeld = !isFree();
     const double right = std::max(before, 0.0);  // what the gaps of joints held is no energy
     if (isHeld && isSoft_) {
         bringTo(isTold ? right : std::max(right, mostLead()), 1);

@@ -61,7 +61,8 @@ public:
     int factorisations() const { return factorisations_; }
     int subSteps() const { return subSteps_; }  ///< that the step took
     std::size_t movedBodies() const { return columns_; }
-    bool isTree() const { return isTree_; }  ///< no joint closes a loop
+    bool isTree() const { return isTree_; }                     ///< no joint closes a loop
+    bool isFree() const { return bodies_.size() == columns_; }  ///< hangs on nothing
     bool isSoft() const { return isSoft_; }  ///< whether the step took what loses energy or gives way
 
 private:

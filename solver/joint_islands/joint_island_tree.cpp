@@ -63,8 +63,7 @@ struct JointIsland::BranchRows {
 void JointIsland::growTree() {
     std::size_t joints = 0;
     for (const IslandHold& hold : holds_) { joints += hold.kind != IslandHold::Kind::angle ? 1 : 0; }
-    const bool isFree = bodies_.size() == columns_;
-    isTree_ = joints + (isFree ? 1 : 0) <= columns_;
+    isTree_ = joints + (isFree() ? 1 : 0) <= columns_;
     if (!isTree_) { return; }
     // Holds by body, as one list.
     neighbours_.clear();
@@ -94,7 +93,7 @@ void JointIsland::growTree() {
             branches_.push_back({other, bodies_[body].column == kNoNode ? kNone : body, {i->second, kNone}, {}, {}});
         }
     };
-    if (isFree) {
+    if (isFree()) {
         isReached_[0] = 1;
         branches_.push_back({0, kNone, {kNone, kNone}, {}, {}});
     }

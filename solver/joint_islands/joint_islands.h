@@ -19,6 +19,12 @@ public:
     /// @pre no contacts; all joints are rigid and without springs, limits or motors: hinges, rods, welds, sliders, and
     /// wheels. Drives are those of half a sub-step.
     void solve(SolverBatch& batch, Real h, int subSteps, TaskSystem& loops, SolveReport& report);
+    /// Of what can be moved, in the last solve: whether joints that could not all hold gave way in an island that hangs
+    /// on nothing. What that gained nobody took back: it goes as a whole, too, which here is no concern.
+    bool gaveWay(BodySlot slot) const {
+        const JointIsland& part = parts_[partOf_[slot]];
+        return part.isSoft() && part.isFree();
+    }
 
 private:
     void list(SolverBatch& batch);

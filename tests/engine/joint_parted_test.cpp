@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 /// Joints that cannot all hold: what they hold stays where it is torn to, and is not flung about.
 
@@ -263,6 +266,68 @@ TEST(JointParted, WhatIsPutElsewhereIsPulledBack) {
                     }
                 }
             }
+        }
+    }
+}
+
+/// Boxes in a room, on hinges that are made one after the other between any two of them, where they are: nets that
+/// jam in the room, and are torn by metres.
+struct HingedCrowd {
+    HingedCrowd(Profile profile, int boxes, std::uint64_t seed)
+        : world(makeWorld(awakeSettings(profile))), random(seed) {
+        room = anchorOf(world);
+        const Vec2 walls[] = {{-8, 0}, {-8, 10}, {8, 10}, {8, 0}};
+        must(world.addChain(room, walls, true, material(0.5)));
+        for (int i = 0; i < boxes; ++i) {
+            const double x = random.range(-7, 7);
+            const double y = random.range(1, 9);
+            const double width = random.range(0.1, 0.6);
+            const double height = random.range(0.1, 0.6);
+            bodies.push_back(addBody(world, dynamicAt({x, y}, {}, random.range(-3, 3)), box(width, height)));
+            mass += world.mass(bodies.back());
+        }
+    }
+
+    void tieTwo() {
+        const auto any = [this] { return random.integer(0, static_cast<int>(bodies.size()) - 1); };
+        const int a = any();
+        const int b = any();
+        const auto pair = std::pair(std::min(a, b), std::max(a, b));
+        if (a == b || std::find(tied.begin(), tied.end(), pair) != tied.end()) { return; }
+        tied.push_back(pair);
+        const BodyId first = bodies[static_cast<std::size_t>(a)];
+        must(world.createJoint(
+            RevoluteJointDef{between(first, bodies[static_cast<std::size_t>(b)]), world.position(first)}));
+    }
+
+    /// In a step, as metres by which it would lift all of them.
+    double mostGained(int steps, std::size_t hinges) {
+        double most = 0;
+        double before = energyOf(world, bodies, kGravity);
+        for (int i = 0; i < steps; ++i) {
+            if (i % 4 == 0 && tied.size() < hinges) { tieTwo(); }
+            must(world.step(kStep));
+            const double after = energyOf(world, bodies, kGravity);
+            most = std::max(most, (after - before) / (mass * kGravity));
+            before = after;
+        }
+        return most;
+    }
+
+    World world;
+    Random random;
+    BodyId room;
+    std::vector<BodyId> bodies;
+    std::vector<std::pair<int, int>> tied;
+    double mass = 0;
+};
+
+/// Of 300 crowds these gained most in a step: in `accurate` as much as lifts them by 8 to 4007 m, in `fast` one by 41
+/// m, where now it is 2 m.
+TEST(JointParted, NetsThatJamInARoomMultiplyNoEnergy) {
+    for (const Profile profile : kProfiles) {
+        for (const std::uint64_t seed : {56, 61, 89, 96, 101, 128, 131, 136, 277, 294}) {
+            EXPECT_LT(HingedCrowd(profile, 12, seed).mostGained(400, 24), 3) << profileName(profile) << ' ' << seed;
         }
     }
 }
