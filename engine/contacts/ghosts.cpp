@@ -174,12 +174,11 @@ bool dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide>
     std::vector<std::uint32_t>& firstOf = world.firstGroundContact;
     firstOf.resize(world.bodies.slotCount(), kNoIndex);
     next.resize(contacts.size());
-    const auto bodyOf = [](const Contact& contact) { return contact.dynamicA ? contact.bodyA : contact.bodyB; };
     bool anyTwo = false;
     std::atomic<bool> anyGhost = false;
     for (const std::uint32_t i : renewed) {
         if (!isGroundContact(contacts[i]) && !(slides[i].impulse > 0)) { continue; }
-        std::uint32_t& first = firstOf[bodyOf(contacts[i])];
+        std::uint32_t& first = firstOf[contacts[i].dynamicBody()];
         anyTwo = anyTwo || first != kNoIndex;
         next[i] = first;
         first = i;
@@ -197,7 +196,7 @@ bool dropGhosts(WorldState& world, std::span<Contact> contacts, std::span<Slide>
         });
     }
     for (const std::uint32_t i : renewed) {
-        if (contacts[i].dynamicA != contacts[i].dynamicB) { firstOf[bodyOf(contacts[i])] = kNoIndex; }
+        if (contacts[i].dynamicA != contacts[i].dynamicB) { firstOf[contacts[i].dynamicBody()] = kNoIndex; }
         slides[i].impulse = 0;
     }
     return anyGhost;

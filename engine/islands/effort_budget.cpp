@@ -25,10 +25,6 @@ constexpr Real kErrorOfDoubling = 4;
 /// The fewest are a quarter of what the island is given without budget.
 constexpr std::int8_t kMostHalvings = 2;
 
-std::uint32_t movingBodyOf(const WorldState& world, const Contact& contact) {
-    return world.bodies[contact.bodyA].isDynamic() ? contact.bodyA : contact.bodyB;
-}
-
 /// Metres that a blow of this step would go on in it. What is struck takes over the part M/(M + m) of the speed and
 /// strikes what is behind it, which iteration tells no sooner than a sub-step later: each goes in as far as a sub-step
 /// takes it. A body on its own that lands on what does not yield is met by velocities alone, exactly.
@@ -80,7 +76,7 @@ void measureContacts(WorldState& world, Real dt) {
     for (const ContactProbe& probe : world.probes) {
         const Contact& contact = world.contacts[probe.contact];
         if (!contact.isSolid()) { continue; }
-        const std::uint32_t slot = movingBodyOf(world, contact);
+        const std::uint32_t slot = contact.dynamicBody();
         if (!world.bodies[slot].awake) { continue; }
         IslandErrors& errors = world.islandErrors[world.islands.find(slot)];
         const Real depth = -deepestSeparation(contact.manifold);

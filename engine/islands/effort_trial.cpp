@@ -141,7 +141,7 @@ void restoreClass(WorldState& world, const IsTakenBack& isTakenBack) {
     const EffortTrial& trial = world.trial;
     for (const ContactOutcome& outcome : trial.contacts) {
         Contact& contact = world.contacts[outcome.contact];
-        if (isTakenBack(contact.dynamicA ? contact.bodyA : contact.bodyB)) { restore(contact, outcome); }
+        if (isTakenBack(contact.dynamicBody())) { restore(contact, outcome); }
     }
     for (std::size_t i = 0; i < trial.joints.size(); ++i) {
         Joint& joint = world.joints[world.tiedJoints[i]];

@@ -266,7 +266,7 @@ bool writeBack(const LoadSearch& search) {
     bool any = false;
     for (const LoadPoint& point : search.paths.points) {
         Contact& contact = world.contacts[point.contact];
-        if (!restOf(world, contact.dynamicA ? contact.bodyA : contact.bodyB).isSought) { continue; }
+        if (!restOf(world, contact.dynamicBody()).isSought) { continue; }
         any = true;
         const auto push = static_cast<Real>(point.push / search.subSteps);
         const Real most = contact.friction * push;

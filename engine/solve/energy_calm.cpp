@@ -188,7 +188,7 @@ private:
             if (isCalmed(accountOf(world_, world_.jointTies[i]))) { forgetStart(world_.joints[i]); }
         }
         const auto forgetContact = [&](Contact& contact) {
-            if (!isCalmed(accountOf(world_, contact.dynamicA ? contact.bodyA : contact.bodyB))) { return; }
+            if (!isCalmed(accountOf(world_, contact.dynamicBody()))) { return; }
             contact.normalImpulse = contact.tangentImpulse = {};
         };
         if (group_.role == BodyRole::solved) {

@@ -83,7 +83,7 @@ private:
     /// @pre one of the pair is dynamic
     template <class Pair>
     BodySlot slotOf(const Pair& pair) const {
-        return world_.solverSlots[pair.dynamicA ? pair.bodyA : pair.bodyB];
+        return world_.solverSlots[pair.dynamicBody()];
     }
 
     /// What is fixed is all one; of what is not dynamic only kinematic bodies have slots. So of two different grounds

@@ -99,7 +99,7 @@ void keepAwakeByDrives(WorldState& world) {
         const Contact& contact = world.contacts[probe.contact];
         if (!contact.isSolid()) { continue; }
         if (contact.isBelt) {
-            world.islandRestless[world.islands.find(contact.dynamicA ? contact.bodyA : contact.bodyB)] = 1;
+            world.islandRestless[world.islands.find(contact.dynamicBody())] = 1;
         }
         if (movesA) { world.islandRestless[world.islands.find(contact.bodyB)] = 1; }
         if (movesB) { world.islandRestless[world.islands.find(contact.bodyA)] = 1; }

@@ -75,6 +75,9 @@ struct alignas(kCacheLine) Contact : ContactRow {
     /// not: the row has no room for a number that few need. @pre `rolls()`
     Real& rollingImpulse() { return tangentImpulse[1]; }
     Real rollingImpulse() const { return tangentImpulse[1]; }
+
+    /// One of its bodies that is dynamic: if both are, A.
+    std::uint32_t dynamicBody() const { return dynamicA ? bodyA : bodyB; }
 };
 static_assert(sizeof(Contact) <= 48 * sizeof(Real), "a step reads most of some thousands");
 

@@ -12,40 +12,50 @@ namespace swept::inline SWEPT_PRECISION {
 struct EnergyAccount {
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-    std::uint64_t solve = 0;  ///< that it is about
-    double kinetic = 0;       ///< at the end
-    double gained = 0;        ///< of kinetic energy, since the start
-    double work = 0;          ///< of gravity and forces
-    double returned = 0;      ///< the most that joints may have given back of what opening them took (lent_energy.h)
-    double springs = 0;       ///< work of springs: what they held before the solve, less what they hold after it
-    double stored = 0;        ///< what they hold at the end
-    bool isSprung = false;    ///< these two are known, or what a target gave: both to an eighth or so
-    double fall = 0;          ///< kinetic energy that they give to what rests, in the same time
-    double drift = 0;         ///< kinetic, of how an island goes as a whole that joints alone hold together
-    double motors =
-        0;  ///< the most that they may have given, or what targets did give or take (motor_work.h), of what gained
+    std::uint64_t solve = 0;       ///< that it is about
+    std::uint32_t motion = kNone;  ///< of the island, an index
+
+    double kinetic = 0;  ///< at the end
+    double gained = 0;   ///< of kinetic energy, since the start
+    double work = 0;     ///< of gravity and forces
+    double fall = 0;     ///< kinetic energy that they give to what rests, in the same time
+    double drift = 0;    ///< kinetic, of how an island goes as a whole that joints alone hold together
+
+    // What gives, beside gravity and forces.
     bool isFed = false;     ///< from outside: by belts, kinematic bodies, calls; what it gains is no error
-    bool isYanked = false;  ///< a call moved what a joint holds far: its gap is closed at no cost
+    bool isSprung = false;  ///< what springs or a target gave is known: to an eighth or so
+    double springs = 0;     ///< their work: what they held before the solve, less what they hold after it
+    double stored = 0;      ///< what they hold at the end
+    /// The most that they may have given, or what targets did give or take (motor_work.h), of what gained.
+    double motors = 0;
+    double returned = 0;  ///< the most that joints may have given back of what opening them took (lent_energy.h)
+
+    // What holds it.
     bool isJointed = false;
     bool gaveWay = false;       ///< where others were solved exactly (`Solver::gaveWay`)
-    bool isTouching = false;    ///< something; noted only of what may have gained
-    std::uint32_t anchors = 0;  ///< joints that tie it to what is not dynamic
-    bool isAnchored = false;    ///< one of them, or a gear, does so
-    bool isGrounded = false;    ///< presses on something static
-    bool isOnChain = false;     ///< and that is a chain
-    DVec2 push{};               ///< of what is static, all of it, N·s
-    /// By joints to kinematic bodies, and by those that calls move. Noted only of what may have gained.
+    bool isYanked = false;      ///< a call moved what a joint holds far: its gap is closed at no cost
+    bool isAnchored = false;    ///< joints, or a gear, tie it to what is not dynamic
+    std::uint32_t anchors = 0;  ///< such joints
+
+    // What it touches, noted only of what may have gained.
+    bool isTouching = false;
+    bool isGrounded = false;  ///< presses on something static
+    bool isOnChain = false;   ///< and that is a chain
+    DVec2 push{};             ///< of what is static, all of it, N·s
+
+    // What leads it: joints to kinematic bodies, and those that calls move. Noted only of what may have gained.
     bool isLed = false;
-    bool isTorn = false;  ///< its joints cannot all hold, and it goes faster than it is led: so it pays
-    Real gapBefore = 0;   ///< of its joints and limits (energy_calm.cpp), of what may have burst
-    Real gapAfter = 0;
-    bool isCalmed = false;  ///< was put back
-    double way = 0;         ///< kinetic, if its bodies had gone evenly to where they are, of what may have burst
-    double leadSpeed = 0;   ///< of the fastest one, m/s
-    double leadSpin = 0;    ///< rad/s
     std::uint32_t carrier = kNone;  ///< slot of the kinematic body that turns most
+    double leadSpeed = 0;           ///< of the fastest one, m/s
+    double leadSpin = 0;            ///< rad/s
     double led = 0;                 ///< kinetic energy, if all of it went along with them
-    std::uint32_t motion = kNone;   ///< of the island, an index
+
+    // What may have gone off (energy_calm.cpp).
+    bool isTorn = false;    ///< its joints cannot all hold, and it goes faster than it is led: so it pays
+    bool isCalmed = false;  ///< was put back
+    Real gapBefore = 0;     ///< of its joints and limits
+    Real gapAfter = 0;
+    double way = 0;  ///< kinetic, if its bodies had gone evenly to where they are
 };
 
 /// What a solve did to one body, J: what its island's account grows by. Of the motion of its centre of mass, and of its

@@ -81,38 +81,69 @@ bool JointFlow::mayTake(const IslandBody& body) {
     return body.inverseMass > 0 && body.inverseInertia > 0 && std::min(body.decay, body.angularDecay) >= kLeastDecay;
 }
 
+JointFlow::Node& JointFlow::addNode(const Parts& parts, std::uint32_t i) {
+    nodeOf_[i] = static_cast<std::uint32_t>(nodes_.size());
+    Node& node = nodes_.emplace_back();
+    const IslandBody& body = parts.bodies[i];
+    node.body = i;
+    node.startVelocity = {body.velocity.x, body.velocity.y, body.spin};
+    return node;
+}
+
+/// What moves a body of a tree but its joints.
+void JointFlow::setDrive(Node& node, const IslandBody& body, double h) {
+    node.mass = 1 / body.inverseMass;
+    node.inertia = 1 / body.inverseInertia;
+    const Damping linearly = dampingOf(body.decay, 0.5 * h);
+    const Damping angularly = dampingOf(body.angularDecay, 0.5 * h);
+    node.drive = {linearly.drives * body.gain.x, linearly.drives * body.gain.y, angularly.drives * body.angularGain};
+    node.damping = linearly.rate;
+    node.angularDamping = angularly.rate;
+}
+
+/// @pre what it hangs on has its node
+void JointFlow::hang(Node& node, const Parts& parts) {
+    const IslandHold& hold = parts.holds[node.hold];
+    node.kind = hold.kind;
+    node.isB = hold.b == node.body;
+    const std::uint32_t other = node.isB ? hold.a : hold.b;
+    node.parent = nodeOf_[other];
+    node.anchor = node.isB ? hold.anchorB : hold.anchorA;
+    node.anchorOfParent = node.isB ? hold.anchorA : hold.anchorB;
+    node.offset = node.isB ? hold.offset : -hold.offset;
+    node.axis = hold.axis;
+    node.rest = hold.rest;
+    node.size = hold.size;
+    const bool mayTurn = node.angleHold == kNone;
+    if (!mayTurn) { node.restAngle = node.isB ? parts.holds[node.angleHold].rest : -parts.holds[node.angleHold].rest; }
+    const IslandBody& body = parts.bodies[node.body];
+    const IslandBody& bodyOfParent = parts.bodies[other];
+    node.ease = body.inverseMass * easeOf(body, node.anchor);
+    node.easeOfParent = bodyOfParent.inverseMass * easeOf(bodyOfParent, node.anchorOfParent);
+    Node& parent = nodes_[node.parent];
+    const bool isSide = node.kind == IslandHold::Kind::side;
+    node.isLever = norm(node.anchor) > 0 || (isSide && !node.isB);
+    parent.isLever = parent.isLever || norm(node.anchorOfParent) > 0 || (isSide && node.isB);
+    node.freedoms = (node.kind == IslandHold::Kind::point ? 0 : 1) + (mayTurn ? 1 : 0);
+}
+
 void JointFlow::start(std::span<const IslandBody> bodies, std::span<const IslandHold> holds,
                       std::span<const IslandBranch> branches, double h) {
+    const Parts parts{bodies, holds};
     evaluations_ = pieces_ = 0;
     begun_ = 0;
     nodes_.clear();
     nodeOf_.assign(bodies.size(), kNone);
-    const auto addNode = [&](std::uint32_t i) -> Node& {
-        nodeOf_[i] = static_cast<std::uint32_t>(nodes_.size());
-        Node& node = nodes_.emplace_back();
-        const IslandBody& body = bodies[i];
-        node.body = i;
-        node.startVelocity = {body.velocity.x, body.velocity.y, body.spin};
-        return node;
-    };
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
         if (bodies[i].inverseMass > 0) { continue; }
-        Node& node = addNode(i);
+        Node& node = addNode(parts, i);
         node.isFixed = true;
         node.isStill = node.startVelocity == Coordinates{};
     }
     fixed_ = nodes_.size();
     for (const IslandBranch& branch : branches) {
-        Node& node = addNode(branch.body);
-        const IslandBody& body = bodies[branch.body];
-        node.mass = 1 / body.inverseMass;
-        node.inertia = 1 / body.inverseInertia;
-        const Damping linearly = dampingOf(body.decay, 0.5 * h);
-        const Damping angularly = dampingOf(body.angularDecay, 0.5 * h);
-        node.drive = {linearly.drives * body.gain.x, linearly.drives * body.gain.y,
-                      angularly.drives * body.angularGain};
-        node.damping = linearly.rate;
-        node.angularDamping = angularly.rate;
+        Node& node = addNode(parts, branch.body);
+        setDrive(node, bodies[branch.body], h);
         node.hold = branch.holds[0];
         node.angleHold = branch.holds[1];
         if (node.hold == kNone) {  // the first of what hangs on nothing
@@ -120,30 +151,9 @@ void JointFlow::start(std::span<const IslandBody> bodies, std::span<const Island
             node.free[0].along = {1, 0, 0};
             node.free[1].along = {0, 1, 0};
             node.free[2].along = {0, 0, 1};
-            continue;
+        } else {
+            hang(node, parts);
         }
-        const IslandHold& hold = holds[node.hold];
-        node.kind = hold.kind;
-        node.isB = hold.b == branch.body;
-        const std::uint32_t other = node.isB ? hold.a : hold.b;
-        node.parent = nodeOf_[other];
-        node.anchor = node.isB ? hold.anchorB : hold.anchorA;
-        node.anchorOfParent = node.isB ? hold.anchorA : hold.anchorB;
-        node.offset = node.isB ? hold.offset : -hold.offset;
-        node.axis = hold.axis;
-        node.rest = hold.rest;
-        node.size = hold.size;
-        if (node.angleHold != kNone) {
-            node.restAngle = node.isB ? holds[node.angleHold].rest : -holds[node.angleHold].rest;
-        }
-        node.ease = body.inverseMass * easeOf(body, node.anchor);
-        node.easeOfParent = bodies[other].inverseMass * easeOf(bodies[other], node.anchorOfParent);
-        Node& parent = nodes_[node.parent];
-        const bool isSide = node.kind == IslandHold::Kind::side;
-        node.isLever = norm(node.anchor) > 0 || (isSide && !node.isB);
-        parent.isLever = parent.isLever || norm(node.anchorOfParent) > 0 || (isSide && node.isB);
-        const std::uint32_t turns = node.angleHold == kNone ? 1 : 0;
-        node.freedoms = (node.kind == IslandHold::Kind::point ? 0 : 1) + turns;
     }
 }
 

@@ -154,7 +154,16 @@ private:
         DVec2 between;  ///< from the parent's anchor to the own one
     };
 
+    /// What nodes are made of.
+    struct Parts {
+        std::span<const IslandBody> bodies;
+        std::span<const IslandHold> holds;
+    };
+
     // joint_flow.cpp: accelerations
+    Node& addNode(const Parts& parts, std::uint32_t i);
+    static void setDrive(Node& node, const IslandBody& body, double h);
+    void hang(Node& node, const Parts& parts);
     static void turn(Node& node);
     static DVec2 spanOf(const Node& node, const Node& parent);
     static Arms armsOf(const Node& node, const Node& parent);
