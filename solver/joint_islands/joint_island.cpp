@@ -222,7 +222,7 @@ double JointIsland::fallOf(double h) const {
     for (const IslandHold& hold : holds_) {
         if (hold.kind == IslandHold::Kind::angle) { continue; }
         for (const std::uint32_t i : {hold.a, hold.b}) {
-            const IslandBody& body = bodies_[i];
+            const IslandBody& body = start_[i];  // drives may be of shorter sub-steps since
             if (body.inverseMass > 0) { fall += 2 / h * norm(body.gain) / body.inverseMass * hold.size; }
         }
     }
