@@ -6,6 +6,7 @@
 #include "../contacts/hit_event.h"
 #include "../solve/blow_answer.h"
 #include "../solve/constraint_builder.h"
+#include "../solve/joint_place.h"
 #include "bullet_paths.h"
 #include "bullet_search.h"
 #include "flight_state.h"
@@ -65,10 +66,31 @@ BodySlot slotOf(const BulletWork& work, std::uint32_t body) {
     return static_cast<BodySlot>(place - work.members.begin() + 1);
 }
 
+/// A hinge by which a body turns on the ground, or on something kinematic; null: none.
+const Joint* groundHingeOf(const WorldState& world, std::uint32_t slot) {
+    for (const std::uint32_t index : world.bodies[slot].joints) {
+        const Joint& joint = world.joints[index];
+        const std::uint32_t other = joint.bodyA == slot ? joint.bodyB : joint.bodyA;
+        if (joint.type() == JointType::revolute && joint.holds() && !world.bodies[other].isDynamic()) { return &joint; }
+    }
+    return nullptr;
+}
+
+/// From where a body stands at this moment to where its joints are known, at the end of the step.
+Rotation turnToEnd(const WorldState& world, const Flight& flight) {
+    return rotationFromAngle(world.motions[flight.slot].angle - flight.motion.angle);
+}
+
 /// Of what joints hold to its way.
 BlowAnswer answerIn(const WorldState& world, const BulletPartner& partner, Vec2 arm, Vec2 direction) {
-    if (partner.flies || partner.flight.body().holdingJoints == 0) { return {}; }
-    return answerOf(world, partner.flight.slot, arm, direction);
+    const Flight& flight = partner.flight;
+    if (partner.flies || flight.body().holdingJoints == 0) { return {}; }
+    if (groundHingeOf(world, flight.slot) == nullptr) { return answerOf(world, flight.slot, arm, direction); }
+    const Rotation turn = turnToEnd(world, flight);
+    BlowAnswer answer = answerOf(world, flight.slot, rotate(turn, arm), rotate(turn, direction));
+    answer.velocityByNormal = unrotate(turn, answer.velocityByNormal);
+    answer.velocityByTangent = unrotate(turn, answer.velocityByTangent);
+    return answer;
 }
 
 /// Contacts of this moment. One that is not in reach after all comes later.
@@ -101,18 +123,32 @@ void listImpacts(WorldState& world, FlightScratch& scratch) {
 /// Whether it keeps to the path that it began the step with, at the speed of that.
 bool keepsPath(const BulletPartner& partner) { return partner.tied && !partner.flies && !partner.stopped; }
 
+/// What turns about a hinge on the ground goes as it turns, whatever the chord of its way says.
+void leadAbout(const WorldState& world, const Joint& hinge, BulletPartner& partner) {
+    const Flight& flight = partner.flight;
+    const bool isA = hinge.bodyA == flight.slot;
+    const Vec2 anchor = isA ? hinge.localAnchorA : hinge.localAnchorB;
+    const Vec2 center = -rotate(flight.motion.pose.rotation, anchor - flight.body().localCenter);  // from the hinge
+    const std::uint32_t ground = isA ? hinge.bodyB : hinge.bodyA;
+    const BodyMotion& under = world.motions[ground];
+    const Vec2 arm = armOf(world, ground, isA ? hinge.localAnchorB : hinge.localAnchorA);
+    const Real spin = flight.motion.angularVelocity + partner.angularLead;
+    partner.lead = under.velocity + cross(under.angularVelocity, arm) + cross(spin, center) - flight.motion.velocity;
+}
+
 /// @return the threshold below which they do not bounce, m/s
-Real listStates(const WorldState& world, FlightScratch& scratch) {
-    const BulletWork& work = world.bulletWork;
+Real listStates(WorldState& world, FlightScratch& scratch) {
+    BulletWork& work = world.bulletWork;
     scratch.states.assign(1, {});
     scratch.inertias.assign(1, {});
     for (const std::uint32_t index : work.members) {
-        const BulletPartner& partner = work.partners[index];
+        BulletPartner& partner = work.partners[index];
         const Flight& flight = partner.flight;
         BodyState& state = scratch.states.emplace_back();
         state.velocity = flight.motion.velocity;
         state.angularVelocity = flight.motion.angularVelocity;
         if (keepsPath(partner)) {
+            if (const Joint* const hinge = groundHingeOf(world, flight.slot)) { leadAbout(world, *hinge, partner); }
             state.velocity += partner.lead;
             state.angularVelocity += partner.angularLead;
         }
@@ -123,6 +159,19 @@ Real listStates(const WorldState& world, FlightScratch& scratch) {
         threshold = std::max(threshold, work.partners[work.indices[pair.second]].flight.threshold());
     }
     return threshold;
+}
+
+/// Velocities of what keeps its path are those of the end of the step.
+void takeVelocity(const WorldState& world, BulletPartner& partner, const BodyState& state) {
+    BodyMotion& motion = partner.flight.motion;
+    const bool keeps = keepsPath(partner);
+    const Vec2 lead = keeps ? partner.lead : Vec2{};
+    if (keeps && groundHingeOf(world, partner.flight.slot) != nullptr) {
+        motion.velocity += rotate(turnToEnd(world, partner.flight), state.velocity - lead - motion.velocity);
+    } else {
+        motion.velocity = keeps ? state.velocity - lead : state.velocity;
+    }
+    motion.angularVelocity = keeps ? state.angularVelocity - partner.angularLead : state.angularVelocity;
 }
 
 void reflect(WorldState& world, FlightScratch& scratch, Real threshold) {
@@ -140,13 +189,7 @@ void reflect(WorldState& world, FlightScratch& scratch, Real threshold) {
     BulletWork& work = world.bulletWork;
     for (std::size_t i = 0; i < work.members.size(); ++i) {
         BulletPartner& partner = work.partners[work.members[i]];
-        BodyMotion& motion = partner.flight.motion;
-        motion.velocity = scratch.states[i + 1].velocity;
-        motion.angularVelocity = scratch.states[i + 1].angularVelocity;
-        if (keepsPath(partner)) {
-            motion.velocity -= partner.lead;
-            motion.angularVelocity -= partner.angularLead;
-        }
+        takeVelocity(world, partner, scratch.states[i + 1]);
     }
 }
 

@@ -98,9 +98,7 @@ void keepAwakeByDrives(WorldState& world) {
         if (!probe.isBelt && !movesA && !movesB) { continue; }
         const Contact& contact = world.contacts[probe.contact];
         if (!contact.isSolid()) { continue; }
-        if (contact.isBelt) {
-            world.islandRestless[world.islands.find(contact.dynamicBody())] = 1;
-        }
+        if (contact.isBelt) { world.islandRestless[world.islands.find(contact.dynamicBody())] = 1; }
         if (movesA) { world.islandRestless[world.islands.find(contact.bodyB)] = 1; }
         if (movesB) { world.islandRestless[world.islands.find(contact.bodyA)] = 1; }
     }

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "../support/random.h"
+
 /// Joints that cannot all hold: what they hold stays where it is torn to, and is not flung about.
 
 namespace swept::test {
@@ -326,7 +328,7 @@ struct HingedCrowd {
 /// m, where now it is 2 m.
 TEST(JointParted, NetsThatJamInARoomMultiplyNoEnergy) {
     for (const Profile profile : kProfiles) {
-        for (const std::uint64_t seed : {56, 61, 89, 96, 101, 128, 131, 136, 277, 294}) {
+        for (const unsigned seed : {56U, 61U, 89U, 96U, 101U, 128U, 131U, 136U, 277U, 294U}) {
             EXPECT_LT(HingedCrowd(profile, 12, seed).mostGained(400, 24), 3) << profileName(profile) << ' ' << seed;
         }
     }
