@@ -87,10 +87,16 @@ BlowAnswer answerIn(const WorldState& world, const BulletPartner& partner, Vec2 
     if (partner.flies || flight.body().holdingJoints == 0) { return {}; }
     if (groundHingeOf(world, flight.slot) == nullptr) { return answerOf(world, flight.slot, arm, direction); }
     const Rotation turn = turnToEnd(world, flight);
-    BlowAnswer answer = answerOf(world, flight.slot, rotate(turn, arm), rotate(turn, direction));
-    answer.velocityByNormal = unrotate(turn, answer.velocityByNormal);
-    answer.velocityByTangent = unrotate(turn, answer.velocityByTangent);
-    return answer;
+    const BlowAnswer then = answerOf(world, flight.slot, rotate(turn, arm), rotate(turn, direction));
+    const Vec2 x = rotate(turn, {1, 0});
+    const Vec2 y = rotate(turn, {0, 1});
+    return {.isHeld = then.isHeld,
+            .xx = then.along(x, 0, x, 0),
+            .xy = then.along(x, 0, y, 0),
+            .yy = then.along(y, 0, y, 0),
+            .xt = dot(x, then.velocity({}, 1)),
+            .yt = dot(y, then.velocity({}, 1)),
+            .tt = then.tt};
 }
 
 /// Contacts of this moment. One that is not in reach after all comes later.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -194,6 +195,10 @@ Moved HeldBody::movedBy(const HeldRow& blow) const {
     return moved;
 }
 
+/// Of the approach: what the joints do not allow of it. What is jammed, or torn, goes as they let nothing go: thrown
+/// back by its whole approach with the little that they leave, it would gain energy without end.
+constexpr Real kMostAstray = Real(1) / 4;
+
 double speedAlong(const HeldRow& row, const Moved& moved) {
     return dot(row.along, moved.velocity) + row.turn * moved.spin;
 }
@@ -203,40 +208,54 @@ double speedAlong(const HeldRow& row, const Moved& moved) {
 BlowAnswer answerOf(const WorldState& world, std::uint32_t body, Vec2 arm, Vec2 direction) {
     if (!isHeldByGround(world, body)) { return {}; }
     HeldBody held(world, body);
-    const auto rowAlong = [lever = toDouble(arm)](Vec2 along) {
-        return HeldRow{toDouble(along), cross(lever, toDouble(along))};
-    };
-    const HeldRow normal = rowAlong(direction);
-    const HeldRow tangent = rowAlong(rightPerp(direction));
+    const HeldRow normal{toDouble(direction), cross(toDouble(arm), toDouble(direction))};
     held.addLimits(normal);
     if (!held.isHeld()) { return {}; }
-    const Moved byNormal = held.movedBy(normal);
-    if (speedAlong(normal, byNormal) >= kFreely * held.answer(normal, normal)) { return {}; }
-    const Moved byTangent = held.movedBy(tangent);
-    const auto answer = [](const HeldRow& row, const Moved& moved) {
-        return static_cast<Real>(std::max(speedAlong(row, moved), 0.0));
-    };
+    if (speedAlong(normal, held.movedBy(normal)) >= kFreely * held.answer(normal, normal)) { return {}; }
+    const Moved byX = held.movedBy({{1, 0}, 0});
+    const Moved byY = held.movedBy({{0, 1}, 0});
+    const Moved byTwist = held.movedBy({{}, 1});
     return {.isHeld = true,
-            .normal = answer(normal, byNormal),
-            .tangent = answer(tangent, byTangent),
-            .coupling = static_cast<Real>(speedAlong(tangent, byNormal)),
-            .velocityByNormal = toReal(byNormal.velocity),
-            .velocityByTangent = toReal(byTangent.velocity),
-            .spinByNormal = static_cast<Real>(byNormal.spin),
-            .spinByTangent = static_cast<Real>(byTangent.spin)};
+            .xx = static_cast<Real>(byX.velocity.x),
+            .xy = static_cast<Real>(byY.velocity.x),
+            .yy = static_cast<Real>(byY.velocity.y),
+            .xt = static_cast<Real>(byTwist.velocity.x),
+            .yt = static_cast<Real>(byTwist.velocity.y),
+            .tt = static_cast<Real>(byTwist.spin)};
 }
 
+namespace {
+
+/// Of what goes as its joints let it; else it answers freely.
+BlowAnswer answerTo(Real approach, const WorldState& world, std::uint32_t slot, Vec2 arm, Vec2 direction) {
+    const BlowAnswer answer = answerOf(world, slot, arm, direction);
+    if (!answer.isHeld) { return answer; }
+    const Body& body = world.bodies[slot];
+    const BodyMotion& motion = world.motions[slot];
+    const Real lever = cross(arm, direction);
+    const Vec2 momentum = (1 / body.inverseMass) * motion.velocity;
+    const Real spin = body.inverseInertia > 0 ? motion.angularVelocity / body.inverseInertia : Real(0);
+    const Real speed = dot(direction, motion.velocity) + lever * motion.angularVelocity;
+    const Real allowed = answer.along(direction, lever, momentum, spin);
+    return std::fabs(speed - allowed) <= kMostAstray * approach ? answer : BlowAnswer{};
+}
+
+}  // namespace
+
 void setAnswers(const WorldState& world, const Contact& contact, ContactConstraint& constraint) {
-    const bool isHeldA = contact.dynamicA && world.bodies[contact.bodyA].holdingJoints > 0;
-    const bool isHeldB = contact.dynamicB && world.bodies[contact.bodyB].holdingJoints > 0;
+    // What something kinematic or the ground presses against its own joints is no blow: it has nowhere to go.
+    if (!contact.dynamicA || !contact.dynamicB) { return; }
+    const bool isHeldA = world.bodies[contact.bodyA].holdingJoints > 0;
+    const bool isHeldB = world.bodies[contact.bodyB].holdingJoints > 0;
     if (!isHeldA && !isHeldB) { return; }
     const BodyMotion& a = world.motions[contact.bodyA];
     const BodyMotion& b = world.motions[contact.bodyB];
     const BlowArms arms = armsOf(constraint);
     const Vec2 velocity = b.velocity + cross(b.angularVelocity, arms.b) - a.velocity - cross(a.angularVelocity, arms.a);
-    if (!(dot(velocity, constraint.normal) < 0)) { return; }
-    if (isHeldA) { constraint.answerA = answerOf(world, contact.bodyA, arms.a, -constraint.normal); }
-    if (isHeldB) { constraint.answerB = answerOf(world, contact.bodyB, arms.b, constraint.normal); }
+    const Real approach = -dot(velocity, constraint.normal);
+    if (!(approach > 0)) { return; }
+    if (isHeldA) { constraint.answerA = answerTo(approach, world, contact.bodyA, arms.a, -constraint.normal); }
+    if (isHeldB) { constraint.answerB = answerTo(approach, world, contact.bodyB, arms.b, constraint.normal); }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

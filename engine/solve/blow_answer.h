@@ -24,7 +24,8 @@ inline BlowArms armsOf(const ContactConstraint& constraint) {
     return {Real(0.5) * (first.anchorA + last.anchorA), Real(0.5) * (first.anchorB + last.anchorB)};
 }
 
-/// Of the bodies of a contact that may bounce in this step.
+/// Of the bodies of a contact that may bounce in this step: where both are dynamic, and what is held goes as its joints
+/// let it.
 void setAnswers(const WorldState& world, const Contact& contact, ContactConstraint& constraint);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -34,17 +34,25 @@ struct ContactConstraintPoint {
     Real bounceApproach = 0;      ///< largest approach speed at which the point bounced, m/s
 };
 
-/// How a body answers, where it is touched, to an impulse of 1 on it along the normal towards it, and along the tangent
-/// that is to the right of that: where joints hold it to the ground as they let it, at once.
+/// How a body answers to an impulse: where joints hold it to the ground as they let it, at once.
 struct BlowAnswer {
     bool isHeld = false;  ///< else it answers freely, and what follows is not looked at
-    Real normal = 0;      ///< speed along the normal by an impulse along it, 1/kg
-    Real tangent = 0;     ///< likewise, along the tangent
-    Real coupling = 0;    ///< of one by the other
-    Vec2 velocityByNormal{};
-    Vec2 velocityByTangent{};
-    Real spinByNormal = 0;
-    Real spinByTangent = 0;
+    // How it moves by an impulse along x, along y, and by a twist: a symmetric matrix, 1/kg, 1/(kg·m), 1/(kg·m²).
+    Real xx = 0;
+    Real xy = 0;
+    Real yy = 0;
+    Real xt = 0;
+    Real yt = 0;
+    Real tt = 0;
+
+    Vec2 velocity(Vec2 impulse, Real twist) const {
+        return {xx * impulse.x + xy * impulse.y + xt * twist, xy * impulse.x + yy * impulse.y + yt * twist};
+    }
+    Real spin(Vec2 impulse, Real twist) const { return xt * impulse.x + yt * impulse.y + tt * twist; }
+    /// Speed along one direction, with a lever, by a unit impulse along another.
+    Real along(Vec2 direction, Real lever, Vec2 impulse, Real twist) const {
+        return dot(direction, velocity(impulse, twist)) + lever * spin(impulse, twist);
+    }
 };
 
 /// The constraint that two shapes do not approach at up to two points, with Coulomb friction.
@@ -63,7 +71,7 @@ struct ContactConstraint {
     /// Of the rounded parts that touch, metres: those have no points that turn away from the contact as the body turns.
     Real radiusA = 0;
     Real radiusB = 0;
-    BlowAnswer answerA;  ///< at the middle of the points; asked by impacts alone
+    BlowAnswer answerA;  ///< asked by impacts alone
     BlowAnswer answerB;
     /// Relaxation leaves faster approaches to the bounce of the next sub-step, m/s; infinity: the contact never
     /// bounces.

@@ -25,8 +25,8 @@ struct BlowPair {
 
     /// Impulse on B at a point; its opposite on A.
     void apply(int i, Vec2 impulse, BodyState& stateA, BodyState& stateB) const {
-        push(stateA, a, contact.answerA, -impulse, point(i).anchorA, impulse);
-        push(stateB, b, contact.answerB, impulse, point(i).anchorB, impulse);
+        push(stateA, a, contact.answerA, -impulse, point(i).anchorA);
+        push(stateB, b, contact.answerB, impulse, point(i).anchorB);
     }
     /// Normal velocity at point i for a unit normal impulse at point j.
     Real response(int i, int j) const {
@@ -34,45 +34,65 @@ struct BlowPair {
             return a.inverseMass + b.inverseMass + a.inverseInertia * point(i).normalArmA * point(j).normalArmA +
                    b.inverseInertia * point(i).normalArmB * point(j).normalArmB;
         }
-        const auto answer = [](const BodyInertia& body, const BlowAnswer& held, Real armI, Real armJ) {
-            return held.isHeld ? held.normal : body.inverseMass + body.inverseInertia * armI * armJ;
-        };
-        return answer(a, contact.answerA, point(i).normalArmA, point(j).normalArmA) +
-               answer(b, contact.answerB, point(i).normalArmB, point(j).normalArmB);
+        const Vec2 normal = contact.normal;
+        return answer(a, contact.answerA, {normal, point(i).normalArmA}, {normal, point(j).normalArmA}) +
+               answer(b, contact.answerB, {normal, point(i).normalArmB}, {normal, point(j).normalArmB});
     }
     /// Tangential velocity at point i for a unit normal impulse there, and the other way round.
     Real coupling(int i) const {
-        const auto answer = [](const BodyInertia& body, const BlowAnswer& held, Real normalArm, Real tangentArm) {
-            return held.isHeld ? held.coupling : body.inverseInertia * normalArm * tangentArm;
-        };
-        return answer(a, contact.answerA, point(i).normalArmA, point(i).tangentArmA) +
-               answer(b, contact.answerB, point(i).normalArmB, point(i).tangentArmB);
+        const Vec2 normal = contact.normal;
+        const Vec2 tangent = rightPerp(normal);
+        return coupled(a, contact.answerA, {normal, point(i).normalArmA}, {tangent, point(i).tangentArmA}) +
+               coupled(b, contact.answerB, {normal, point(i).normalArmB}, {tangent, point(i).tangentArmB});
     }
     /// Of the answers to impulses at a point itself: those that were prepared, unless joints hold a body.
-    Real normalMass(int i) const { return isAnyHeld(contact) ? massOf(response(i, i)) : point(i).normalMass; }
+    Real normalMass(int i) const {
+        if (!isAnyHeld(contact)) { return point(i).normalMass; }
+        return heldMass({contact.normal, point(i).normalArmA}, {contact.normal, point(i).normalArmB});
+    }
     Real tangentMass(int i) const {
         if (!isAnyHeld(contact)) { return point(i).tangentMass; }
-        const auto answer = [](const BodyInertia& body, const BlowAnswer& held, Real arm) {
-            return held.isHeld ? held.tangent : body.inverseMass + body.inverseInertia * square(arm);
-        };
-        return massOf(answer(a, contact.answerA, point(i).tangentArmA) +
-                      answer(b, contact.answerB, point(i).tangentArmB));
+        const Vec2 tangent = rightPerp(contact.normal);
+        return heldMass({tangent, point(i).tangentArmA}, {tangent, point(i).tangentArmB});
     }
 
 private:
-    static Real massOf(Real answer) { return answer > 0 ? 1 / answer : Real(0); }
+    /// Of what a body would yield without its joints: what is left of less than that is held. A blow at an eighth of
+    /// its length from a hinge would turn it away at eight times the speed, and one at the hinge at any speed.
+    static constexpr Real kAllButHeld = Real(1) / 64;
+
+    /// Of an impulse, and its lever.
+    struct Row {
+        Vec2 along;
+        Real arm = 0;
+    };
+
+    static Real freeAnswer(const BodyInertia& body, const Row& i, const Row& j) {
+        return body.inverseMass + body.inverseInertia * i.arm * j.arm;
+    }
+    /// Of rows along one direction.
+    static Real answer(const BodyInertia& body, const BlowAnswer& held, const Row& i, const Row& j) {
+        return held.isHeld ? held.along(i.along, i.arm, j.along, j.arm) : freeAnswer(body, i, j);
+    }
+    static Real coupled(const BodyInertia& body, const BlowAnswer& held, const Row& normal, const Row& tangent) {
+        return held.isHeld ? held.along(tangent.along, tangent.arm, normal.along, normal.arm)
+                           : body.inverseInertia * normal.arm * tangent.arm;
+    }
+    /// 0: nothing yields.
+    Real heldMass(const Row& ofA, const Row& ofB) const {
+        const Real held = answer(a, contact.answerA, ofA, ofA) + answer(b, contact.answerB, ofB, ofB);
+        const Real free = freeAnswer(a, ofA, ofA) + freeAnswer(b, ofB, ofB);
+        return held > kAllButHeld * free ? 1 / held : Real(0);
+    }
     /// @param own  the impulse on the body
-    void push(BodyState& state, const BodyInertia& inertia, const BlowAnswer& held, Vec2 own, Vec2 anchor,
-              Vec2 impulse) const {
+    static void push(BodyState& state, const BodyInertia& inertia, const BlowAnswer& held, Vec2 own, Vec2 anchor) {
         if (!held.isHeld) {
             if (isMovable(inertia)) { applyImpulse(state, inertia, own, anchor); }
             return;
         }
-        // Normal and tangent of A are the opposites of B's, and so is its impulse.
-        const Real alongNormal = dot(impulse, contact.normal);
-        const Real alongTangent = dot(impulse, rightPerp(contact.normal));
-        state.velocity += alongNormal * held.velocityByNormal + alongTangent * held.velocityByTangent;
-        state.angularVelocity += alongNormal * held.spinByNormal + alongTangent * held.spinByTangent;
+        const Real twist = cross(anchor, own);
+        state.velocity += held.velocity(own, twist);
+        state.angularVelocity += held.spin(own, twist);
     }
 };
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -157,6 +158,65 @@ TEST(HeldBounce, MakesNoEnergy) {
         expectAtMost("seed " + std::to_string(seed), most / before, 1.002);
     }
     EXPECT_GT(bounced, 100);
+}
+
+/// Fastest of a plank of 1 to 2 m in 10 s, on a static hinge in or beside the edge of a static block that bounces by so
+/// much.
+double fastestOfJammed(Profile profile, double restitution, DVec2 pivot, double angle, double half) {
+    World world = makeWorld(awakeSettings(profile));
+    const BodyId post = must(world.createBody({}));
+    const BodyId block = must(world.createBody({}));
+    must(world.addShape(block, must(makeBox(vec(2, 1), vec(-2, -1))), material(0.6, restitution)));
+    const DVec2 along{std::cos(angle), std::sin(angle)};
+    const BodyId plank =
+        addBody(world, dynamicAt(pivot + half * along, {}, angle), box(half + 0.2, 0.2), material(0.6));
+    must(world.createJoint(RevoluteJointDef{.base = {.bodyA = post, .bodyB = plank}, .anchor = pivot}));
+    double fastest = 0;
+    for (int i = 0; i < 600; ++i) {
+        must(world.step(kStep));
+        fastest = std::max(fastest, length(velocityOf(world, plank)));
+    }
+    return fastest;
+}
+
+/// Joints and contacts oppose each other, and leave the plank next to no way to yield: thrown back along that it was at
+/// up to 10⁹ m/s, and at 0 to 9 m/s without restitution.
+TEST(HeldBounce, WhatIsJammedIsNotThrown) {
+    for (const Profile profile : kProfiles) {
+        for (const double restitution : {0.1, 0.3}) {
+            for (const double x : {-0.2, -0.1, 0.0}) {
+                for (const double y : {-0.2, -0.1, 0.0}) {
+                    for (const double angle : {-1.0, -0.5, 0.5, 1.0}) {
+                        EXPECT_LT(fastestOfJammed(profile, restitution, {x, y}, angle, 0.5), 12)
+                            << profileName(profile) << ' ' << restitution << " at " << x << ", " << y << ", " << angle;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A box on a hinge to something kinematic that is at rest, and overlaps it: it was at up to 10¹⁸ m/s, where it yielded
+/// as its hinge lets it. (Such contradictions give up to 88 m/s without restitution, too.)
+TEST(HeldBounce, WhatOverlapsSomethingKinematicIsNotThrown) {
+    for (const Profile profile : kProfiles) {
+        for (const double restitution : {0.001, 0.1, 0.5}) {
+            WorldSettings settings;
+            settings.profile = profile;
+            settings.gravity = {};
+            World world = makeWorld(settings);
+            const BodyId pusher = must(world.createBody({.type = BodyType::kinematic}));
+            must(world.addShape(pusher, box(0.5, 0.5)));
+            const BodyId held =
+                addBody(world, dynamicAt({0.6, 0.1}, {}, 0.3), box(0.5, 0.2), material(0.6, restitution));
+            must(world.createJoint(RevoluteJointDef{.base = {.bodyA = pusher, .bodyB = held, .collideConnected = true},
+                                                    .anchor = {0.3, 0}}));
+            for (int i = 0; i < 600; ++i) {
+                must(world.step(kStep));
+                ASSERT_LT(length(velocityOf(world, held)), 100) << profileName(profile) << ' ' << restitution;
+            }
+        }
+    }
 }
 
 }  // namespace
