@@ -78,11 +78,14 @@ private:
         return held.isHeld ? held.along(tangent.along, tangent.arm, normal.along, normal.arm)
                            : body.inverseInertia * normal.arm * tangent.arm;
     }
+    static bool yields(const BodyInertia& body, const BlowAnswer& held, const Row& row) {
+        const Real free = freeAnswer(body, row, row);
+        return held.isHeld ? answer(body, held, row, row) > kAllButHeld * free : free > 0;
+    }
     /// 0: nothing yields.
     Real heldMass(const Row& ofA, const Row& ofB) const {
-        const Real held = answer(a, contact.answerA, ofA, ofA) + answer(b, contact.answerB, ofB, ofB);
-        const Real free = freeAnswer(a, ofA, ofA) + freeAnswer(b, ofB, ofB);
-        return held > kAllButHeld * free ? 1 / held : Real(0);
+        if (!yields(a, contact.answerA, ofA) && !yields(b, contact.answerB, ofB)) { return 0; }
+        return 1 / (answer(a, contact.answerA, ofA, ofA) + answer(b, contact.answerB, ofB, ofB));
     }
     /// @param own  the impulse on the body
     static void push(BodyState& state, const BodyInertia& inertia, const BlowAnswer& held, Vec2 own, Vec2 anchor) {

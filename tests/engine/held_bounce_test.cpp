@@ -54,7 +54,7 @@ double bounceOff(Profile profile, Hold how, double ratio, double restitution, bo
 TEST(HeldBounce, OffWhatCannotMove) {
     for (const Profile profile : kProfiles) {
         for (const Hold how : kHolds) {
-            for (const double ratio : {0.1, 1.0, 10.0}) {
+            for (const double ratio : {0.001, 0.1, 1.0, 10.0}) {
                 for (const double restitution : {0.5, 0.9}) {
                     for (const bool isBullet : {false, true}) {
                         for (const bool isBox : {false, true}) {
