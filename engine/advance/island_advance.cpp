@@ -9,6 +9,7 @@
 #include "../flight/clamp.h"
 #include "../flight/ground_on_the_way.h"
 #include "../flight/solved_path.h"
+#include "../flight/whirls.h"
 #include "../modes/modes.h"
 #include "../solve/lent_energy.h"
 #include "../solve/solve_outcome.h"
@@ -307,6 +308,12 @@ double longestTurning(const Course& course, double rest, double most) {
     return isOnChain(course.island) ? rest / std::ceil(rest / most) : most;
 }
 
+/// Seconds of any part of an island with a whirl (whirls.h), as long as these take no more than half of its tries.
+double longestOfWhirl(const Course& course, int mostTries) {
+    const double spin = whirlOf(course.world, course.island.members);
+    return spin > 0 ? std::max(kWhirlTurn / spin, 2 * course.dt / mostTries) : course.dt;
+}
+
 /// A body on its own that slides fast, and strikes something on its way, flies this step: the solver shares such a blow
 /// among floor and wall less well, and may throw it up.
 bool fliesInstead(const Course& course) {
@@ -325,6 +332,7 @@ void flyInstead(Course& course) {
 }  // namespace
 
 bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, bool isJointed, double dt) {
+    if (whirlOf(world, members) > 0) { return false; }
     return fastestSpin(world, members, Spinners::all) * dt <= (isJointed ? kMaxTurn : kMaxLooseTurn);
 }
 
@@ -339,7 +347,7 @@ double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, 
         if (scratch.isSunk) { world.bodies[slot].sunk = true; }
         if (impact.hit) { first = impact.fraction; }
     }
-    if (hasJointedBullet(world, members)) { first = firstMeetingOf(world, members, part, first, scratch); }
+    if (meetAmongMembers(world, members)) { first = firstMeetingOf(world, members, part, first, scratch); }
     return first;
 }
 
@@ -377,13 +385,14 @@ void advanceIsland(WorldState& world, IslandDesk& desk, double dt, FlightScratch
     const int mostTries = std::min(static_cast<int>(std::min(tries, kMaxTries)), world.settings.maxImpacts);
     const auto lastParts = static_cast<double>(std::clamp<std::size_t>(tries, 1, kLastParts));
     const double maxTurn = course.island.jointSlots.empty() ? kMaxLooseTurn : kMaxTurn;
+    const double mostOfWhirl = longestOfWhirl(course, mostTries);
     while (course.elapsed < dt) {
         const double rest = dt - course.elapsed;
         const bool isOutOfTries = course.made++ == mostTries;
         if (isOutOfTries) { course.shortest = std::max(course.shortest, rest / lastParts); }
         const double spin = fastestSpin(world, course.island, Spinners::all);
         if (spin * course.shortest > kHopelessTurn) { course.shortest = rest; }
-        double time = std::max(course.next, course.shortest);
+        double time = std::max(std::min(course.next, mostOfWhirl), course.shortest);
         if (spin * time > maxTurn) { time = std::max(longestTurning(course, rest, maxTurn / spin), course.shortest); }
         if (time > rest - 0.5 * course.shortest) { time = rest; }
         const double gained = tryPart(course, time);

@@ -62,7 +62,7 @@ Real nearOf(const Shape& shape) { return kEndRatio * shape.extent; }
 void listBoxed(WorldState& world, AdvancingIsland& island) {
     island.boxed.clear();
     for (const std::uint32_t member : island.members) {
-        const bool asks = isJointedBullet(world, member);
+        const bool asks = meetsMembers(world, member);
         for (const std::uint32_t slot : world.bodies[member].shapes) {
             const Shape& shape = world.shapes[slot];
             const Aabb box = grown(boundsOf(shape.polygon, world.motions[member].pose), nearOf(shape) / 2);
@@ -134,7 +134,7 @@ void collideIslandContacts(WorldState& world, IslandDesk& desk, double time, Gro
             if (!own.def.sensor) { findGround(world, island, own, slot, length, ground); }
         }
     }
-    if (hasJointedBullet(world, island.members)) { findMembersMet(world, island); }
+    if (meetAmongMembers(world, island.members)) { findMembersMet(world, island); }
     rememberPoints(island);
     island.slides.resize(island.contacts.size());
     ContactBatches batches(world, [](ContactProbe*, const Contact&, const Transform&) {});

@@ -22,7 +22,7 @@ void listMovers(const WorldState& world, std::span<const std::uint32_t> members,
     for (const std::uint32_t slot : members) {
         const Body& body = world.bodies[slot];
         const Aabb box = boxOfPath(pathOf(world, slot), static_cast<double>(body.radius + kTargetRatio * body.widest));
-        if (overlaps(box, box)) { movers.push_back({box, slot, isJointedBullet(world, slot)}); }
+        if (overlaps(box, box)) { movers.push_back({box, slot, meetsMembers(world, slot)}); }
     }
 }
 

@@ -66,8 +66,11 @@ BodySlot slotOf(const BulletWork& work, std::uint32_t body) {
     return static_cast<BodySlot>(place - work.members.begin() + 1);
 }
 
-/// A hinge by which a body turns on the ground, or on something kinematic; null: none.
+/// A hinge by which a body turns on the ground, or on something kinematic, and which no other body has a part in; null:
+/// none. (The first link of a rope goes as the rope lets it: three blows of one moment gave it six times the energy
+/// that there was, when it turned as if it hung alone, and answered as if it were free.)
 const Joint* groundHingeOf(const WorldState& world, std::uint32_t slot) {
+    if (!isHeldByGround(world, slot)) { return nullptr; }
     for (const std::uint32_t index : world.bodies[slot].joints) {
         const Joint& joint = world.joints[index];
         const std::uint32_t other = joint.bodyA == slot ? joint.bodyB : joint.bodyA;

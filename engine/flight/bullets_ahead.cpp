@@ -18,15 +18,6 @@ namespace {
 /// Of the way of a body: how far beside it joints may lead it. On a circle it turns by half a radian for that.
 constexpr double kStrayRatio = 0.25;
 
-/// Where a body gets to if nothing but forces act on it.
-Sweep straightPath(const WorldState& world, std::uint32_t slot, Real dt) {
-    const BodyMotion& motion = world.motions[slot];
-    Sweep path{.localCenter = {}, .c0 = motion.center, .c1 = motion.center, .a0 = 0, .a1 = 0};
-    const Body& body = world.bodies[slot];
-    if (body.awake) { path.c1 += toDouble(dt * (motion.velocity + dt * accelerationOf(world, body))); }
-    return path;
-}
-
 double lengthOf(const Sweep& path) { return length(path.c1 - path.c0); }
 
 bool isFast(const WorldState& world, std::uint32_t slot) { return (world.traits[slot] & kIsFast) != 0; }
@@ -82,18 +73,6 @@ void tryPair(WorldState& world, std::uint32_t bullet, std::uint32_t other, Real 
     world.bulletWork.ahead.push_back({bullet, other});
 }
 
-Aabb boxAhead(const WorldState& world, std::uint32_t slot, Real dt) {
-    const Sweep path = straightPath(world, slot, dt);
-    return boxOfPath(path, static_cast<double>((1 + kMaxReachRatio) * world.bodies[slot].radius) + strayOf(path));
-}
-
-bool mayBodiesTouch(const WorldState& world, std::uint32_t one, std::uint32_t other) {
-    const Body& body = world.bodies[other];
-    return std::any_of(body.shapes.begin(), body.shapes.end(), [&](std::uint32_t shape) {
-        return !world.shapes[shape].def.sensor && mayTouchAny(world, world.bodies[one], world.shapes[shape]);
-    });
-}
-
 /// What is slow has contacts ahead of all that it does with what is slow.
 void findSlow(WorldState& world, Real drift, Real dt) {
     for (const std::uint32_t slot : world.jointChains.bullets) {
@@ -121,13 +100,40 @@ void findFast(WorldState& world, Real dt) {
 
 }  // namespace
 
+Sweep straightPath(const WorldState& world, std::uint32_t slot, Real dt) {
+    const BodyMotion& motion = world.motions[slot];
+    Sweep path{.localCenter = {}, .c0 = motion.center, .c1 = motion.center, .a0 = 0, .a1 = 0};
+    const Body& body = world.bodies[slot];
+    if (body.awake) { path.c1 += toDouble(dt * (motion.velocity + dt * accelerationOf(world, body))); }
+    return path;
+}
+
+Aabb boxAhead(const WorldState& world, std::uint32_t slot, Real dt) {
+    const Sweep path = straightPath(world, slot, dt);
+    return boxOfPath(path, static_cast<double>((1 + kMaxReachRatio) * world.bodies[slot].radius) + strayOf(path));
+}
+
+bool mayBodiesTouch(const WorldState& world, std::uint32_t one, std::uint32_t other) {
+    const Body& body = world.bodies[other];
+    return std::any_of(body.shapes.begin(), body.shapes.end(), [&](std::uint32_t shape) {
+        return !world.shapes[shape].def.sensor && mayTouchAny(world, world.bodies[one], world.shapes[shape]);
+    });
+}
+
 bool isJointedBullet(const WorldState& world, std::uint32_t slot) {
     return world.bodies[slot].holdingJoints > 0 && isBullet(world, slot);
 }
 
-bool hasJointedBullet(const WorldState& world, std::span<const std::uint32_t> slots) {
-    if (world.jointChains.bullets.empty()) { return false; }
-    return std::any_of(slots.begin(), slots.end(), [&](std::uint32_t slot) { return isJointedBullet(world, slot); });
+bool meetsMembers(const WorldState& world, std::uint32_t slot) {
+    const std::vector<Whirl>& whirls = world.bulletWork.whirls;
+    const bool isWhirl =
+        std::any_of(whirls.begin(), whirls.end(), [slot](const Whirl& whirl) { return whirl.body == slot; });
+    return isWhirl || isJointedBullet(world, slot);
+}
+
+bool meetAmongMembers(const WorldState& world, std::span<const std::uint32_t> members) {
+    if (world.jointChains.bullets.empty() && world.bulletWork.whirls.empty()) { return false; }
+    return std::any_of(members.begin(), members.end(), [&](std::uint32_t slot) { return meetsMembers(world, slot); });
 }
 
 void findAhead(WorldState& world, Real dt) {

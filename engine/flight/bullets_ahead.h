@@ -19,6 +19,14 @@ void tieAhead(WorldState& world);
 
 /// Whether a body is such a bullet.
 bool isJointedBullet(const WorldState& world, std::uint32_t slot);
-bool hasJointedBullet(const WorldState& world, std::span<const std::uint32_t> slots);
+/// Whether a body is swept against the other members of its island: such a bullet, or a whirl (whirls.h).
+bool meetsMembers(const WorldState& world, std::uint32_t slot);
+bool meetAmongMembers(const WorldState& world, std::span<const std::uint32_t> members);
+
+/// The way of a body in this step if nothing but forces act on it, without its turning; and a box of it, with room for
+/// what leads it aside.
+Sweep straightPath(const WorldState& world, std::uint32_t slot, Real dt);
+Aabb boxAhead(const WorldState& world, std::uint32_t slot, Real dt);
+bool mayBodiesTouch(const WorldState& world, std::uint32_t one, std::uint32_t other);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -38,18 +38,6 @@ struct Moved {
     double spin = 0;
 };
 
-/// Whether no other dynamic body has a part in what holds it.
-bool isHeldByGround(const WorldState& world, std::uint32_t slot) {
-    const std::vector<std::uint32_t>& joints = world.bodies[slot].joints;
-    return std::all_of(joints.begin(), joints.end(), [&](std::uint32_t index) {
-        const Joint& joint = world.joints[index];
-        const std::span<const std::uint32_t> bodies = joint.allBodies();
-        return !joint.holds() || std::all_of(bodies.begin(), bodies.end(), [&](std::uint32_t other) {
-            return other == slot || !world.bodies[other].isDynamic();
-        });
-    });
-}
-
 /// What holds a body to the ground where something strikes it.
 class HeldBody {
 public:
@@ -204,6 +192,17 @@ double speedAlong(const HeldRow& row, const Moved& moved) {
 }
 
 }  // namespace
+
+bool isHeldByGround(const WorldState& world, std::uint32_t slot) {
+    const std::vector<std::uint32_t>& joints = world.bodies[slot].joints;
+    return std::all_of(joints.begin(), joints.end(), [&](std::uint32_t index) {
+        const Joint& joint = world.joints[index];
+        const std::span<const std::uint32_t> bodies = joint.allBodies();
+        return !joint.holds() || std::all_of(bodies.begin(), bodies.end(), [&](std::uint32_t other) {
+            return other == slot || !world.bodies[other].isDynamic();
+        });
+    });
+}
 
 BlowAnswer answerOf(const WorldState& world, std::uint32_t body, Vec2 arm, Vec2 direction) {
     if (!isHeldByGround(world, body)) { return {}; }

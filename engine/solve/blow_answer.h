@@ -4,6 +4,9 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
+/// Whether no other dynamic body has a part in what joints hold a body by.
+bool isHeldByGround(const WorldState& world, std::uint32_t body);
+
 /// How a body answers to a blow, as the joints let it that hold it to the ground: what is welded to the level does not
 /// yield at all, and what falls on it bounces off as off the level; a flap yields as it turns about its hinge. Rigid
 /// points, angles, rods, and limits into which the blow drives it, hold; springs and motors do not. What other bodies

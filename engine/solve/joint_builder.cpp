@@ -66,6 +66,7 @@ struct ConstraintFiller {
     const Joint& joint;
     Real h;
     Real dt;
+    Real length;  ///< of the solve, s
 
     SpringGains gainsOf(const Spring& spring) const { return swept::gainsOf(spring, h); }
     Real baseAngle() const { return static_cast<Real>(angleOf(world, joint)); }
@@ -86,7 +87,7 @@ struct ConstraintFiller {
     void operator()(RevoluteConstraint& constraint, const RevoluteJointDef& def) const {
         constraint.baseAngle = baseAngle() - springTargetOf(def);
         fillFreedom(constraint, def, h);
-        endAtLimits(constraint, constraint.baseAngle, dt);
+        endAtLimits(constraint, constraint.baseAngle, length);
     }
     void operator()(DistanceConstraint& constraint, const DistanceJointDef& def) const {
         constraint.length = joint.length;
@@ -107,7 +108,7 @@ struct ConstraintFiller {
         fillLimits(constraint, def);
         fillMotor(constraint, def.motor, def.motor ? def.motor->maxForce : Real(0));
         fillSpring(constraint, def.spring);
-        endAtLimits(constraint, translationOf(world, joint) - springTargetOf(def), dt);
+        endAtLimits(constraint, translationOf(world, joint) - springTargetOf(def), length);
     }
     void operator()(WheelConstraint& constraint, const WheelJointDef& def) const {
         constraint.axis = axisOf(world, joint);
@@ -325,41 +326,42 @@ bool isIterated(const WorldState& world, const Joint& joint) {
 
 }  // namespace
 
-void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t source, Real h, Real dt, Real left) {
+void addConstraint(SolverBatch& batch, const WorldState& world, std::uint32_t source, const SolveTimes& times) {
     const Joint& joint = world.joints[source];
-    const ConstraintFiller filler{world, joint, h, dt};
+    const ConstraintFiller filler{world, joint, times.h, times.dt, times.length};
     visitPart(joint.parts, [&](const auto& part) {
         // Where it stays: a copy of what was just written in parts has to wait for all of them.
         auto& constraint = append(batch, rememberedOf(joint, part));
         filler.fill(constraint, part);
         constraint.woundSpeed = 0;
         constraint.source = source;
-        if (world.anyRestLoads && isIterated(world, joint)) { bear(constraint, world, joint, h); }
+        if (world.anyRestLoads && isIterated(world, joint)) { bear(constraint, world, joint, times.h); }
         if (const DrivenJoint* const driven = drivenOf(world, joint)) {
             constraint.woundSpeed = woundSpeed(*driven);
-            if constexpr (requires { setOut(constraint, driven->motion, left); }) {
-                if (driven->motion.glide.any()) { setOut(constraint, driven->motion, left); }
+            if constexpr (requires { setOut(constraint, driven->motion, times.left); }) {
+                if (driven->motion.glide.any()) { setOut(constraint, driven->motion, times.left); }
             }
         }
     });
 }
 
-RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source, Real h, Real dt, Real left) {
+RevoluteConstraint hingeConstraint(const WorldState& world, std::uint32_t source, const SolveTimes& times) {
     const Joint& joint = world.joints[source];
     const auto& part = *std::get_if<HingePart>(&joint.parts);
-    RevoluteConstraint constraint = ConstraintFiller{world, joint, h, dt}.constraintOf(part);
+    const ConstraintFiller filler{world, joint, times.h, times.dt, times.length};
+    RevoluteConstraint constraint = filler.constraintOf(part);
     if (const DrivenJoint* const driven = drivenOf(world, joint)) {
-        if (driven->motion.glide.any()) { setOut(constraint, driven->motion, left); }
+        if (driven->motion.glide.any()) { setOut(constraint, driven->motion, times.left); }
     }
     constraint.source = source;
     return constraint;
 }
 
-FreedomParts hingeParts(const Joint& joint, Real angle, Real h, Real dt) {
+FreedomParts hingeParts(const Joint& joint, Real angle, const SolveTimes& times) {
     const auto& part = *std::get_if<HingePart>(&joint.parts);
     FreedomParts parts = rememberedOf(joint, part);
-    fillFreedom(parts, part.def, h);
-    endAtLimits(parts, angle, dt);
+    fillFreedom(parts, part.def, times.h);
+    endAtLimits(parts, angle, times.length);
     dropUnused(parts);
     return parts;
 }
@@ -370,7 +372,7 @@ Softness jointSoftness(const WorldState& world, Effort effort, Real h, Real dt) 
 
 JointErrors errorsOf(const WorldState& world, const Joint& joint) {
     constexpr Real kAnyStep = 1;  // the errors do not depend on it
-    const ConstraintFiller filler{world, joint, kAnyStep, kAnyStep};
+    const ConstraintFiller filler{world, joint, kAnyStep, kAnyStep, kAnyStep};
     JointErrors errors;
     visitPart(joint.parts,
               [&](const auto& part) { errors = ErrorReader{filler}(filler.constraintOf(part), part.def); });

@@ -100,8 +100,10 @@ void startIsland(WorldState& world, const TiedGroup& group, double dt) {
     batch.clear();
     giveSlots(world, group);
     setBodies(world, group, h, [] {});
-    for (const std::uint32_t joint : group.joints) { addConstraint(batch, world, joint, h, step, step); }
-    TiedContacts contacts(world, group, {.length = dt, .dt = dt, .subSteps = subSteps}, h, scale);
+    const StepPart whole{.length = dt, .dt = dt, .subSteps = subSteps};
+    const SolveTimes times(whole, h);
+    for (const std::uint32_t joint : group.joints) { addConstraint(batch, world, joint, times); }
+    TiedContacts contacts(world, group, whole, h, scale);
     contacts.addConstraints();
     leaveOut(world, batch);
     StartBalance balance;

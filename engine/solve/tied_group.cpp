@@ -83,15 +83,14 @@ ContactWay linkContacts(const WorldState& world, const TiedGroup& group, const S
 
 /// Where iterated, hinges have links.
 void addJoints(WorldState& world, const TiedGroup& group, const SolvePlan& plan, TiedHinges& hinges) {
-    const auto dt = static_cast<Real>(plan.part.dt);
-    const auto left = static_cast<Real>(plan.part.dt - plan.part.begin);
+    const SolveTimes times(plan.part, plan.h);
     group.desk.batch.mayGlide = !world.drivenJoints.empty();
     for (const std::uint32_t i : group.joints) {
         const JointTie& tie = world.jointTies[i];
         if (tie.isHinge && plan.isIterated) {
             hinges.link(i, tie);
         } else {
-            addConstraint(group.desk.batch, world, i, plan.h, dt, left);
+            addConstraint(group.desk.batch, world, i, times);
         }
     }
 }

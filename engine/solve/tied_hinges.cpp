@@ -2,7 +2,6 @@
 
 #include "../../shapes/cache_line.h"
 #include "../../solver/joint_blocks/hinge_lanes.h"
-#include "joint_builder.h"
 #include "joint_rest.h"
 #include "joint_results.h"
 #include "rest_springs.h"
@@ -35,11 +34,8 @@ HingeMemory impulsesOf(const WideRevolute& block, std::size_t lane) {
 TiedHinges::TiedHinges(WorldState& world, const TiedGroup& group, Real h, const StepPart& part)
     : world_(world),
       desk_(group.desk),
-      h_(h),
-      dt_(static_cast<Real>(part.dt)),
-      left_(static_cast<Real>(part.dt - part.begin)),
-      length_(static_cast<Real>(part.length)),
-      softness_(jointSoftness(world, group.effort, h, dt_)),
+      times_(part, h),
+      softness_(jointSoftness(world, group.effort, h, times_.dt)),
       mayTear_(mayTear(world)) {}
 
 void TiedHinges::link(std::uint32_t joint, const JointTie& tie) {
@@ -77,13 +73,13 @@ void TiedHinges::fillLane(WideRevolute& block, std::size_t lane, const HingeLink
         BodyState still;
         head.centerOffset +=
             restGap({still, still, batch.inertias[link.slotA], batch.inertias[link.slotB]}, head.anchorA, head.anchorB,
-                    link.parts.any(), head.softness, h_ * joint.restLoad.force);
+                    link.parts.any(), head.softness, times_.h * joint.restLoad.force);
     }
     fillHead(block, lane, head, batch.inertias[link.slotA], batch.inertias[link.slotB]);
     if (!block.parts.any()) { return; }
     const RevoluteJointDef& def = std::get_if<HingePart>(&joint.parts)->def;
     const Real angle = static_cast<Real>(angleOf(world_, joint)) - springTargetOf(def);
-    fillParts(block, lane, hingeParts(joint, angle, h_, dt_), angle);
+    fillParts(block, lane, hingeParts(joint, angle, times_), angle);
 }
 
 void TiedHinges::fetchAhead(std::size_t i) const {
@@ -100,8 +96,8 @@ void TiedHinges::fill(std::size_t first, std::span<const BlockPlace> places, con
             fillLane(to.blocks[place.index], place.lane, link);
         } else {
             RevoluteConstraint& hinge = to.rest[place.index];
-            hinge = hingeConstraint(world_, link.source, h_, dt_, left_);
-            if (world_.anyRestLoads) { bear(hinge, world_, world_.joints[link.source], h_); }
+            hinge = hingeConstraint(world_, link.source, times_);
+            if (world_.anyRestLoads) { bear(hinge, world_, world_.joints[link.source], times_.h); }
         }
     }
 }
@@ -112,12 +108,12 @@ void TiedHinges::take(std::size_t first, std::span<const BlockPlace> places, con
         fetchAhead(first + i);
         Joint& joint = world_.joints[desk_.batch.hingeLinks[first + i].source];
         if (!place.isInBlock) {
-            takeHinge(joint, from.rest[place.index], length_);
+            takeHinge(joint, from.rest[place.index], times_.length);
             continue;
         }
         const WideRevolute& block = from.blocks[place.index];
         joint.hinge = impulsesOf(block, place.lane);
-        takeReaction(joint, totalOf(block, place.lane), length_);
+        takeReaction(joint, totalOf(block, place.lane), times_.length);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "joint_builder.h"
 #include "tied_group.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -26,10 +27,7 @@ private:
 
     WorldState& world_;
     SolveDesk& desk_;
-    Real h_;
-    Real dt_;
-    Real left_;    ///< of the step, as the part begins
-    Real length_;  ///< of the part
+    SolveTimes times_;
     Softness softness_;
     bool mayTear_;
 };

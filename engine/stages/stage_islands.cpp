@@ -89,8 +89,8 @@ void listBodies(WorldState& world) {
 
 /// Such a bullet may meet all other members of its island (member_meetings.h).
 bool isOfJointedBullet(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
-    if (world.jointChains.bullets.empty()) { return false; }
-    return isJointedBullet(world, bodyA) || isJointedBullet(world, bodyB);
+    if (world.jointChains.bullets.empty() && world.bulletWork.whirls.empty()) { return false; }
+    return meetsMembers(world, bodyA) || meetsMembers(world, bodyB);
 }
 
 /// What bounces off another one in flight, or is a bullet that rides on it, may meet any other member of its island
@@ -227,7 +227,7 @@ void gather(WorldState& world, AdvancingIsland& fast, std::size_t island) {
     fast.sources.clear();
     fast.sourceProbes.clear();
     fast.pointsBefore.clear();
-    const bool mayMembersMeet = hasJointedBullet(world, bodies);
+    const bool mayMembersMeet = meetAmongMembers(world, bodies);
     for (const std::uint32_t index : islands.contacts.of(island)) {
         const std::uint32_t source = world.probes[index].contact;
         const Contact& contact = world.contacts[source];

@@ -7,6 +7,7 @@
 #include "../bodies/awake.h"
 #include "../contacts/noticing.h"
 #include "../flight/bullets_ahead.h"
+#include "../flight/whirls.h"
 #include "../islands/joint_chains.h"
 #include "../islands/note_touching.h"
 #include "../islands/reset_bodies.h"
@@ -54,9 +55,10 @@ void startleNearKinematicBodies(WorldState& world, Real dt) {
 void wakeAheadOfBullets(WorldState& world, Real dt) {
     if (!world.jointChains.areCurrent) { findJointChains(world); }
     world.bulletWork.ahead.clear();
-    if (world.jointChains.bullets.empty()) { return; }
     const std::size_t before = world.awake.size();
-    findAhead(world, dt);
+    if (!world.jointChains.bullets.empty()) { findAhead(world, dt); }
+    findWhirls(world, dt);
+    if (world.jointChains.bullets.empty() && world.bulletWork.whirls.empty()) { return; }
     if (!world.parked.woken.empty()) { listUnparked(world); }
     wakeOnward(world, before);
     if (!world.parked.woken.empty()) { listUnparked(world); }

@@ -58,10 +58,20 @@ struct BulletMeeting {
     }
 };
 
-/// A bullet that joints hold, and a dynamic body that it may meet in this step: slots.
+/// A bullet that joints hold, and a dynamic body that it may meet in this step, or a whirl and a bullet: slots.
 struct BulletAhead {
     std::uint32_t bullet = 0;
     std::uint32_t other = 0;
+};
+
+/// See whirls.h.
+struct Whirl {
+    std::uint32_t body = 0;  ///< slot
+    Vec2 localPivot{};       ///< its hinge, body frame
+    double spin = 0;         ///< rad/s within the step, no less
+    double turn = 0;         ///< radians within the step, no less
+    double way = 1;          ///< 1: counter-clockwise, -1: clockwise
+    int met = 0;             ///< bullets in its way
 };
 
 /// What one worker found. Nothing of it shares a cache line with another worker's.
@@ -88,7 +98,8 @@ struct BulletWork {
     bool areSomeAtRest = false;  ///< bullets that look for nobody: they sleep, or hardly move
     double dt = 0;
 
-    std::vector<BulletAhead> ahead;  ///< what jointed bullets may meet (bullets_ahead.h)
+    std::vector<BulletAhead> ahead;  ///< what jointed bullets may meet (bullets_ahead.h), and whirls
+    std::vector<Whirl> whirls;       ///< of this step
 
     // Of this moment.
     std::vector<BulletMeeting> together;  ///< those that share bodies; or one, of something static or kinematic

@@ -75,6 +75,26 @@ TEST(MotorStop, SlidersStopAtTheirLimits) {
     }
 }
 
+/// What turns far in a step gets through it in parts: in each of them the motor came to the stop by a part of what was
+/// left, so that it took ten steps to get there.
+TEST(MotorStop, FastFlippersGetToTheirLimits) {
+    for (const Rate& rate : kRates) {
+        World world = worldAt(rate);
+        const BodyId table = must(world.createBody({}));
+        const BodyId flipper = addBody(world, dynamicAt({0.0375, 0}), box(0.0375, 0.0075), material(0.6, 0, 10));
+        constexpr double kSpin = 40;
+        RevoluteJointDef def;
+        def.base = between(table, flipper);
+        def.limits = AngleLimits{real(-0.5), real(1.5)};
+        def.motor = AngularMotor{real(kSpin), 2};
+        const JointId hinge = must(world.createJoint(def));
+        const int steps = static_cast<int>(std::ceil(1.5 / (kSpin * rate.dt)));
+        run(world, steps, rate.dt);
+        EXPECT_GT(world.jointAngle(hinge), 1.5 - kPartOfSize) << stopCase(rate, kSpin);
+        EXPECT_LT(world.jointAngle(hinge), 1.5 + 6 * kPartOfSize) << stopCase(rate, kSpin);  // limits are soft
+    }
+}
+
 /// What was carried past, as by limits that were moved, is brought back no faster than the motor goes.
 TEST(MotorStop, BringBackWhatIsPast) {
     World world = makeWorld(awakeSettings(0));
