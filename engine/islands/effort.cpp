@@ -152,7 +152,7 @@ DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps
     // Two that hold the same bodies work against each other, the more so the nearer they come to a toggle.
     const bool isDoubled = load.joints >= load.bodies && load.plainJoints == load.joints;
     // What joints tie to the ground contacts with the ground may contradict, and then both win by turns.
-    const bool mayAgree = isTouching && !load.isAnchored && !load.resistsRolling;
+    const bool mayAgree = isTouching && !load.isAnchored && !load.resistsRolling && !load.isContradicted;
     if (mayAgree && mayBeJointed(load.contacts, load.bodies) && (isHopeless || isDoubled)) {
         return DirectScope::jointed;
     }

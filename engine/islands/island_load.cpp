@@ -5,6 +5,7 @@
 
 #include "../crew/beside.h"
 #include "../state/world_state.h"
+#include "contradictions.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -198,6 +199,7 @@ void findIslandLoads(WorldState& world) {
     if (!world.activeJoints.empty()) {
         addJoints(world);
         measureNets(world);
+        noteContradictions(world);
     }
 }
 

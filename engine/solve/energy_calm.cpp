@@ -20,7 +20,7 @@ namespace {
 bool mayHaveBurst(const EnergyAccount& account) {
     constexpr double kBurst = 64;
     if (!account.isJointed || account.isYanked) { return false; }
-    const double before = std::max(account.kinetic - account.gained, 0.0);
+    const double before = std::max(ownKinetic(account) - account.gained, 0.0);
     return excessOf(account) > kBurst * (before + account.fall);
 }
 

@@ -32,18 +32,24 @@ inline double excessOf(const EnergyAccount& account) {
     return account.gained - account.springs - account.motors - account.returned - work;
 }
 
+/// Of what nothing outside holds or touches, as seen from its centre of mass: how fast it goes as a whole does not
+/// matter.
+inline double ownKinetic(const EnergyAccount& account) {
+    return account.meetsGround ? account.kinetic : account.kinetic - account.drift;
+}
+
 /// @param falls  that joints may give back
 inline bool hasGained(const EnergyAccount& account, double falls) {
     if (account.isJointed) {
-        const double kinetic = account.isTouching ? account.kinetic : account.kinetic - account.drift;
         return excessOf(account) >
-               (account.isSprung ? kSprungGain : kJointedGain) * (kinetic + account.stored) + falls * account.fall;
+               (account.isSprung ? kSprungGain : kJointedGain) * (ownKinetic(account) + account.stored) +
+                   falls * account.fall;
     }
     return excessOf(account) > kGainRounding * account.kinetic + kGainTremble * account.fall;
 }
 inline bool hasGained(const EnergyAccount& account) {
-    const double hanging = account.isAnchored ? kMostFalls : 0;
-    return hasGained(account, account.isTouching ? kMostFallsInTouch : hanging);
+    const double held = account.isTouching ? kMostFallsInTouch : kMostFalls;
+    return hasGained(account, account.isAnchored || account.meetsGround ? held : 0);
 }
 
 /// kg·m²; 0 of what does not turn.

@@ -17,19 +17,11 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-void noteContact(WorldState& world, const Contact& contact) {
-    if (contact.sensor || contact.manifold.count == 0) { return; }
-    const std::uint32_t other = contact.dynamicB ? contact.bodyA : contact.bodyB;
-    EnergyAccount& account = accountOf(world, contact.dynamicB ? contact.bodyB : contact.bodyA);
-    account.isTouching = true;
-    account.isFed = account.isFed || contact.isBelt;
-    if (contact.dynamicA == contact.dynamicB) { return; }
-    account.isFed = account.isFed || world.bodies[other].def.type == BodyType::kinematic;
-    account.isGrounded = account.isGrounded || contact.pressed;
-    account.isOnChain = account.isOnChain || (contact.pressed && contact.ofChain);
-    const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
-    const double impulse = static_cast<double>(contact.totalImpulse[0]) + static_cast<double>(contact.totalImpulse[1]);
-    account.push += (contact.dynamicB ? impulse : -impulse) * toDouble(normal);
+/// What is kinematic does work as it moves. At rest it is as good as static.
+bool doesWork(const WorldState& world, std::uint32_t slot) {
+    const BodyMotion& motion = world.motions[slot];
+    return world.bodies[slot].def.type == BodyType::kinematic &&
+           (motion.velocity != Vec2{} || motion.angularVelocity != 0);
 }
 
 void noteCarrier(const WorldState& world, EnergyAccount& account, std::uint32_t slot) {
@@ -43,6 +35,25 @@ void noteCarrier(const WorldState& world, EnergyAccount& account, std::uint32_t 
     }
 }
 
+void noteContact(WorldState& world, const Contact& contact) {
+    if (contact.sensor || contact.manifold.count == 0) { return; }
+    const std::uint32_t other = contact.dynamicB ? contact.bodyA : contact.bodyB;
+    EnergyAccount& account = accountOf(world, contact.dynamicB ? contact.bodyB : contact.bodyA);
+    account.isTouching = true;
+    account.isFed = account.isFed || contact.isBelt;
+    if (contact.dynamicA == contact.dynamicB) { return; }
+    account.meetsGround = true;
+    if (doesWork(world, other)) {
+        if (account.isDoubled) { noteCarrier(world, account, other); }
+        account.isFed = account.isFed || !account.isDoubled;
+    }
+    account.isGrounded = account.isGrounded || contact.pressed;
+    account.isOnChain = account.isOnChain || (contact.pressed && contact.ofChain);
+    const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
+    const double impulse = static_cast<double>(contact.totalImpulse[0]) + static_cast<double>(contact.totalImpulse[1]);
+    account.push += (contact.dynamicB ? impulse : -impulse) * toDouble(normal);
+}
+
 /// Gears and pulleys hold more than two bodies.
 void noteJoint(WorldState& world, std::uint32_t joint) {
     const std::span<const std::uint32_t> bodies = world.joints[joint].allBodies();
@@ -51,7 +62,7 @@ void noteJoint(WorldState& world, std::uint32_t joint) {
         EnergyAccount& account = accountOf(world, slot);
         for (const std::uint32_t other : bodies) {
             account.isAnchored = account.isAnchored || !world.bodies[other].isDynamic();
-            if (world.bodies[other].def.type == BodyType::kinematic) { noteCarrier(world, account, other); }
+            if (doesWork(world, other)) { noteCarrier(world, account, other); }
         }
     }
 }
@@ -91,13 +102,14 @@ void findFed(WorldState& world, const TiedGroup& group) {
     }
     for (const std::uint32_t root : desk.energyRoots) {
         EnergyAccount& account = world.energyAccounts[root];
-        const bool mayPay = account.isTorn || (account.isYanked && isFast(account));
+        const bool mayPay = account.isTorn || ((account.isYanked || account.isDoubled) && isFast(account));
         account.isFed = account.isFed || (account.isLed && !mayPay);
     }
 }
 
-void noteJointed(EnergyAccount& account, bool isExact, std::uint32_t anchors) {
+void noteJointed(EnergyAccount& account, const JointChain& chain, bool isExact, std::uint32_t anchors) {
     account.isJointed = true;
+    account.isDoubled = account.isDoubled || chain.doubled > 0;
     account.isFed = account.isFed || (isExact && !account.gaveWay);
     account.isAnchored = account.isAnchored || anchors > 0;
     account.anchors += anchors;
@@ -119,15 +131,16 @@ void noteJointed(WorldState& world, const TiedGroup& group) {
         for (const JointChain& chain : world.jointChains.list) {
             EnergyAccount& account = accountOf(world, chain.lowest);
             const bool isIn = account.solve == group.desk.energySolve;
-            if (isIn) { noteJointed(account, isExact, chain.anchors); }
+            if (isIn) { noteJointed(account, chain, isExact, chain.anchors); }
         }
         return;
     }
     const auto moves = [&world](std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; };
     for (const std::uint32_t joint : group.joints) {
         const JointTie& tie = world.jointTies[joint];
-        EnergyAccount& account = accountOf(world, moves(tie.bodyA) ? tie.bodyA : tie.bodyB);
-        noteJointed(account, isExact, moves(tie.bodyA) && moves(tie.bodyB) ? 0 : 1);
+        const std::uint32_t slot = moves(tie.bodyA) ? tie.bodyA : tie.bodyB;
+        const JointChain& chain = world.jointChains.list[world.jointChains.places[world.jointChains.finder.find(slot)]];
+        noteJointed(accountOf(world, slot), chain, isExact, moves(tie.bodyA) && moves(tie.bodyB) ? 0 : 1);
     }
 }
 
@@ -163,8 +176,8 @@ void findDrifts(WorldState& world, SolveDesk& desk) {
 /// Of an island without joints: whether the pairs up to this one tell that it is fed; then no more is asked of them.
 bool noteFeed(WorldState& world, const TouchingPair& pair) {
     EnergyAccount& account = accountOf(world, pair.dynamicBody());
-    const Body& other = world.bodies[pair.dynamicB ? pair.bodyA : pair.bodyB];
-    return account.isFed = account.isFed || pair.isBelt || other.def.type == BodyType::kinematic;
+    const std::uint32_t other = pair.dynamicB ? pair.bodyA : pair.bodyB;
+    return account.isFed = account.isFed || pair.isBelt || doesWork(world, other);
 }
 
 /// What else has a part in the motion of the islands.

@@ -32,6 +32,7 @@ struct EnergyAccount {
 
     // What holds it.
     bool isJointed = false;
+    bool isDoubled = false;     ///< two joints tie the same two bodies: they may not agree
     bool gaveWay = false;       ///< where others were solved exactly (`Solver::gaveWay`)
     bool isYanked = false;      ///< a call moved what a joint holds far: its gap is closed at no cost
     bool isAnchored = false;    ///< joints, or a gear, tie it to what is not dynamic
@@ -39,11 +40,13 @@ struct EnergyAccount {
 
     // What it touches, noted only of what may have gained.
     bool isTouching = false;
-    bool isGrounded = false;  ///< presses on something static
-    bool isOnChain = false;   ///< and that is a chain
-    DVec2 push{};             ///< of what is static, all of it, N·s
+    bool meetsGround = false;  ///< what is not dynamic
+    bool isGrounded = false;   ///< presses on something static
+    bool isOnChain = false;    ///< and that is a chain
+    DVec2 push{};              ///< of what is static, all of it, N·s
 
-    // What leads it: joints to kinematic bodies, and those that calls move. Noted only of what may have gained.
+    // What leads it: joints to kinematic bodies, and those that calls move; and kinematic bodies that it touches, if it
+    // is doubled. Noted only of what may have gained.
     bool isLed = false;
     std::uint32_t carrier = kNone;  ///< slot of the kinematic body that turns most
     double leadSpeed = 0;           ///< of the fastest one, m/s

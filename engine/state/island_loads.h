@@ -35,6 +35,7 @@ struct IslandLoad {
     bool holdsAngles = false;     ///< some joint keeps its bodies from turning against each other
     std::uint32_t debt = 0;       ///< largest `Body::searchDebt`
     bool resistsRolling = false;  ///< somewhere; known where contacts may be solved all at once
+    bool isContradicted = false;  ///< see contradictions.h
     bool staysPut = true;         ///< each body was solved all at once in the last step, or does not move at all
     Effort effort{};
 };
