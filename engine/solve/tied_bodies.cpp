@@ -14,6 +14,7 @@
 #include "adrift_chains.h"
 #include "curved_ground.h"
 #include "energy_guard.h"
+#include "leaps.h"
 #include "squeezed_bodies.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -92,25 +93,45 @@ void setBody(WorldState& world, SolveDesk& desk, BodySlot place, std::uint32_t s
     setDrive(desk.batch.drives[place], world, body, h);
 }
 
-/// What moved at least as far as a fast body, measured generously: here a few instructions tell it, and nobody else
-/// need ask.
-bool isFlung(const Body& body, const BodyState& state) {
-    const Real moved =
-        std::fabs(state.deltaPosition.x) + std::fabs(state.deltaPosition.y) + std::fabs(state.deltaAngle) * body.radius;
-    return moved > kFastRatio * body.extent;
+/// How the solver moved a body.
+struct Moves {
+    bool isFlung = false;  ///< at least as far as a fast body, measured generously
+    bool isLeap = false;   ///< and much farther than its speeds tell (leaps.h)
+
+    void add(const Moves& more) {
+        isFlung = isFlung || more.isFlung;
+        isLeap = isLeap || more.isLeap;
+    }
+};
+
+/// Of the way that an even motion at its speeds would be.
+constexpr Real kLeapWays = 8;
+
+/// Of its rim, at most.
+Real speedOf(Vec2 velocity, Real spin, Real radius) {
+    return std::fabs(velocity.x) + std::fabs(velocity.y) + std::fabs(spin) * radius;
 }
 
-/// All but its pose. @return whether the body was flung
-bool readBody(WorldState& world, std::uint32_t slot, const BodyState& state) {
+/// Here a few instructions tell it, and nobody else need ask. @param before  its motion
+Moves movesOf(const Body& body, const BodyMotion& before, const BodyState& state, Real time) {
+    const Real moved = speedOf(state.deltaPosition, state.deltaAngle, body.radius);
+    if (!(moved > kFastRatio * body.extent)) { return {}; }
+    const Real speed = speedOf(before.velocity, before.angularVelocity, body.radius) +
+                       speedOf(state.velocity, state.angularVelocity, body.radius);
+    return {.isFlung = true, .isLeap = moved > kLeapWays * time * speed};
+}
+
+/// All but its pose.
+Moves readBody(WorldState& world, std::uint32_t slot, const BodyState& state, Real time) {
     Body& body = world.bodies[slot];
     BodyMotion& motion = world.motions[slot];
-    const bool flung = isFlung(body, state);
-    if (flung) { body.flung = true; }
+    const Moves moves = movesOf(body, motion, state, time);
+    if (moves.isFlung) { body.flung = true; }
     motion.center += toDouble(state.deltaPosition);
     motion.angle += static_cast<double>(state.deltaAngle);
     motion.velocity = state.velocity;
     motion.angularVelocity = state.angularVelocity;
-    return flung;
+    return moves;
 }
 
 /// Bodies whose sines and cosines, which are most of a pose, are found side by side.
@@ -127,15 +148,15 @@ SWEPT_FORCE_INLINE void fetchToTakeBack(const WorldState& world, std::span<const
 
 /// Of the first few of a range of those that took part. Their slots end here: no other solve must take them for its
 /// own.
-/// @return whether some body was flung
-bool readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std::size_t begin, std::size_t rangeEnd) {
+/// @return what any of them did
+Moves readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std::size_t begin, std::size_t rangeEnd) {
     const std::size_t end = std::min(begin + kPosesAtOnce, rangeEnd);
     std::array<double, kPosesAtOnce> angles;
     std::array<Rotation, kPosesAtOnce> rotations;
     std::array<std::size_t, kPosesAtOnce> places;
     const FindRotations find = rotationKernel();
     std::size_t count = 0;
-    bool any = false;
+    Moves any;
     for (std::size_t i = begin; i < end; ++i) {
         fetchToTakeBack(world, std::span(desk.bodies).subspan(i, rangeEnd - i));
         const std::uint32_t slot = desk.bodies[i];
@@ -148,7 +169,7 @@ bool readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std:
             body.groundNormal = {};
         }
         if (isWatched) { noteEnergy(desk.energyEntries[i], world, slot, state, time); }
-        any = readBody(world, slot, state) || any;
+        any.add(readBody(world, slot, state, time));
         places[count] = i;
         angles[count++] = world.motions[slot].angle;
     }
@@ -160,10 +181,10 @@ bool readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std:
     return any;
 }
 
-/// @return whether some body was flung
-bool readSome(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std::size_t begin, std::size_t end) {
-    bool any = false;
-    for (; begin < end; begin += kPosesAtOnce) { any = readFew(world, desk, isWatched, time, begin, end) || any; }
+/// @return what any of them did
+Moves readSome(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std::size_t begin, std::size_t end) {
+    Moves any;
+    for (; begin < end; begin += kPosesAtOnce) { any.add(readFew(world, desk, isWatched, time, begin, end)); }
     return any;
 }
 
@@ -197,14 +218,18 @@ void readBodies(WorldState& world, const TiedGroup& group, Real time, Real h) {
     keepSpinOfAdrift(world, group);
     if (isWatched) { limitSqueezed(world, group, time); }
     std::atomic<bool> anyFlung = false;
+    std::atomic<bool> anyLeap = false;
     const std::size_t count = desk.bodies.size();
     runInHalves(*desk.loops, count / 2, count, kReadGrain, [&](std::size_t begin, std::size_t end) {
-        if (readSome(world, desk, isWatched, time, begin, end)) { anyFlung.store(true, std::memory_order_relaxed); }
+        const Moves moves = readSome(world, desk, isWatched, time, begin, end);
+        if (moves.isFlung) { anyFlung.store(true, std::memory_order_relaxed); }
+        if (moves.isLeap) { anyLeap.store(true, std::memory_order_relaxed); }
     });
     desk.anyFlung = desk.anyFlung || anyFlung;
     if (!isWatched) { return; }
     book(world, desk);
     settleAccounts(world, group, time, h);
+    if (anyLeap && !group.joints.empty()) { undoLeaps(world, group, static_cast<double>(time)); }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -272,6 +272,42 @@ TEST(JointParted, WhatIsPutElsewhereIsPulledBack) {
     }
 }
 
+/// What else a bar on a hinge is led by.
+enum class BarHinge : std::uint8_t { plain, sprung, limited };
+constexpr BarHinge kBarHinges[] = {BarHinge::plain, BarHinge::sprung, BarHinge::limited};
+
+/// A bar on a hinge, and on a weld that is far beside it and has it at another angle. Each opened the other one by ever
+/// more, without a speed, until in some steps the bar was beyond all numbers (in `accurate` with springs or limits).
+TEST(JointParted, OnLeversThatContradictEachOtherNothingLeaps) {
+    for (const Profile profile : kProfiles) {
+        for (const BarHinge kind : kBarHinges) {
+            for (const double lever : {0.5, 1.0, 2.0, 4.0}) {
+                for (const double angle : {0.1, 0.3, 1.0, 2.6}) {
+                    World world = makeWorld(awakeSettings(profile));
+                    const BodyId level = anchorOf(world);
+                    const BodyId bar = addBody(world, dynamicAt({0.5, 0}), box(0.5, 0.05));
+                    RevoluteJointDef hinge{between(level, bar)};
+                    if (kind == BarHinge::sprung) { hinge.spring = Spring{2, real(0.2)}; }
+                    if (kind == BarHinge::limited) { hinge.limits = AngleLimits{-1, 1}; }
+                    must(world.createJoint(hinge));
+                    WeldJointDef weld{between(level, bar), {-0.6 * lever, -0.8 * lever}};
+                    weld.referenceAngle = angle;
+                    must(world.createJoint(weld));
+                    double farthest = 0;
+                    for (int i = 0; i < 300; ++i) {
+                        must(world.step(kStep));
+                        farthest = std::max(farthest, length(world.position(bar)));
+                        EXPECT_TRUE(world.bodiesPutBack().empty());
+                    }
+                    expectAtMost(profileName(profile) + ", kind " + std::to_string(static_cast<int>(kind)) +
+                                     ", lever " + std::to_string(lever) + ", angle " + std::to_string(angle),
+                                 farthest, 16);
+                }
+            }
+        }
+    }
+}
+
 /// Boxes in a room, on hinges that are made one after the other between any two of them, where they are: nets that
 /// jam in the room, and are torn by metres.
 struct HingedCrowd {
