@@ -308,7 +308,8 @@ double longestTurning(const Course& course, double rest, double most) {
     return isOnChain(course.island) ? rest / std::ceil(rest / most) : most;
 }
 
-/// Seconds of any part of an island with a whirl (whirls.h), as long as these take no more than half of its tries.
+/// Seconds of any part of an island with a whirl (whirls.h): so short that it turns by little, but no shorter than half
+/// of the tries allow.
 double longestOfWhirl(const Course& course, int mostTries) {
     const double spin = whirlOf(course.world, course.island.members);
     return spin > 0 ? std::max(kWhirlTurn / spin, 2 * course.dt / mostTries) : course.dt;

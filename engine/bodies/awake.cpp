@@ -71,6 +71,12 @@ void rouse(WorldState& world, std::uint32_t slot) {
     startResting(world.bodies[slot], world.motions[slot]);
 }
 
+void rouseToRest(WorldState& world, std::uint32_t slot) {
+    const std::size_t before = world.awake.size();
+    rouse(world, slot);
+    for (std::size_t i = before; i < world.awake.size(); ++i) { world.bodies[world.awake[i]].soughtSteps = 0; }
+}
+
 void notePut(Body& body) {
     body.isPut = true;
     body.groundNormal = {};

@@ -22,7 +22,12 @@ bool mayWait(const WorldState& world, const Shape& a, const Shape& b) {
 void releaseWhatIsMet(WorldState& world, std::uint32_t a, std::uint32_t b) {
     if (disturbs(world, a) || disturbs(world, b)) { return; }
     for (const std::uint32_t slot : {a, b}) {
-        if (world.bodies[slot].heldIn != kNoIndex) { releaseHeld(world, slot); }
+        if (world.bodies[slot].heldIn == kNoIndex) { continue; }
+        if (world.bodies[slot == a ? b : a].def.type == BodyType::fixed) {
+            rouseToRest(world, slot);
+        } else {
+            releaseHeld(world, slot);
+        }
     }
 }
 

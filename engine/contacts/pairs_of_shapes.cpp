@@ -191,11 +191,18 @@ std::span<const std::uint32_t> pairsBetween(WorldState& world, const Joint& join
 }
 
 void wakeAcross(WorldState& world, std::uint32_t body, std::span<const std::uint32_t> places) {
+    const bool isFixed = world.bodies[body].def.type == BodyType::fixed;
     for (const std::uint32_t place : places) {
         const ContactProbe* const probe = probeAt(world, place);
         if (probe == nullptr) { return; }  // candidates do not touch
         const Contact& contact = world.contacts[probe->contact];
-        if (contact.isSolid()) { rouse(world, contact.bodyA == body ? contact.bodyB : contact.bodyA); }
+        if (!contact.isSolid()) { continue; }
+        const std::uint32_t other = contact.bodyA == body ? contact.bodyB : contact.bodyA;
+        if (isFixed) {
+            rouseToRest(world, other);  // ground that is replaced by the same carries it in the next step
+        } else {
+            rouse(world, other);
+        }
     }
 }
 

@@ -11,6 +11,7 @@
 #include "bullet_start.h"
 #include "sweep_circles.h"
 #include "sweep_obstacles.h"
+#include "whirls.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -125,10 +126,7 @@ bool isJointedBullet(const WorldState& world, std::uint32_t slot) {
 }
 
 bool meetsMembers(const WorldState& world, std::uint32_t slot) {
-    const std::vector<Whirl>& whirls = world.bulletWork.whirls;
-    const bool isWhirl =
-        std::any_of(whirls.begin(), whirls.end(), [slot](const Whirl& whirl) { return whirl.body == slot; });
-    return isWhirl || isJointedBullet(world, slot);
+    return isJointedBullet(world, slot) || isWhirl(world, slot);
 }
 
 bool meetAmongMembers(const WorldState& world, std::span<const std::uint32_t> members) {

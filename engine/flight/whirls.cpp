@@ -4,11 +4,15 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "../../shapes/distance.h"
 #include "../../shapes/polygon.h"
+#include "../bodies/awake.h"
+#include "../containers/boxed_items.h"
 #include "../solve/joint_place.h"
 #include "../solve/rest_springs.h"
+#include "../state/profile.h"
 #include "bullet_start.h"
 #include "bullets_ahead.h"
 #include "sweep_obstacles.h"
@@ -45,6 +49,14 @@ double inverseInertiaAbout(const Body& body, Vec2 localAnchor) {
     return 1 / (arm * arm / static_cast<double>(body.inverseMass) + 1 / static_cast<double>(body.inverseInertia));
 }
 
+/// What pushed as the last step ended, and is no faster than a whirl turns in half of a part, is blocked: it presses a
+/// ball against a wall. Parts may have sub-steps of a sixteenth; what bears no more than its own weight pushes by less.
+/// @param impulse  of the last sub-step; @param most  of what it pushes with now, in one of the usual ones
+bool isBlocked(double impulse, double most, double spin, double dt) {
+    constexpr double kLeastPart = 1.0 / 32;
+    return impulse > kLeastPart * most && spin * dt < kWhirlTurn / 2;
+}
+
 /// A motor brings it to its speed at most, a torque goes on.
 double motorSpin(const AngularMotor& motor, double way, double spin, double gain) {
     const double speed = way * static_cast<double>(motor.speed);
@@ -65,12 +77,24 @@ Swing swingOf(const WorldState& world, const Joint& joint, std::uint32_t slot, d
     const double gain = dt * inverseInertiaAbout(body, isB ? joint.localAnchorB : joint.localAnchorA);
     const double side = isB ? way : -way;
     const double spin = side * static_cast<double>(world.motions[slot].angularVelocity);
-    Swing swing{.spin = std::max(spin + gain * side * static_cast<double>(body.torque), 0.0)};
-    if (def.motor) { swing.spin = motorSpin(*def.motor, way, swing.spin, gain); }
+    const Vec2 arm =
+        rotate(world.motions[slot].pose.rotation, body.localCenter - (isB ? joint.localAnchorB : joint.localAnchorA));
+    const double torque =
+        static_cast<double>(body.torque) + body.mass * static_cast<double>(cross(arm, accelerationOf(world, body)));
+    Swing swing{.spin = std::max(spin + gain * side * torque, 0.0)};
+    const double subStep = dt / subStepsOf(world.settings);
+    if (def.motor) {
+        const double most = subStep * static_cast<double>(def.motor->maxTorque);
+        const bool isStuck = isBlocked(way * static_cast<double>(joint.hinge.motor), most, spin, dt);
+        if (!isStuck) { swing.spin = motorSpin(*def.motor, way, swing.spin, gain); }
+    }
     const double angle = angleOf(world, joint);
     if (def.spring) {
         const double stretch = way * (static_cast<double>(springTargetOf(def)) - angle);
-        swing.spin = std::max(swing.spin, springSpin(*def.spring, stretch, dt));
+        const double spun = springSpin(*def.spring, stretch, dt);
+        const double most = subStep * spun / gain;
+        const bool isStuck = isBlocked(way * static_cast<double>(joint.hinge.spring), most, spin, dt);
+        if (!isStuck) { swing.spin = std::hypot(swing.spin, spun); }
     }
     if (def.limits) {
         const double end = static_cast<double>(way > 0 ? def.limits->upper : def.limits->lower);
@@ -86,7 +110,6 @@ DVec2 pivotOf(const WorldState& world, const Whirl& whirl) {
 /// Metres that any point of it is from its pivot, at most.
 Real reachOf(const Body& body, Vec2 localPivot) { return length(localPivot - body.localCenter) + body.radius; }
 
-/// What it may sweep in the step, and more.
 Aabb boxOf(const WorldState& world, const Whirl& whirl) {
     const DVec2 pivot = pivotOf(world, whirl);
     const auto reach = static_cast<double>(reachOf(world.bodies[whirl.body], whirl.localPivot));
@@ -119,10 +142,11 @@ bool isInTheWay(const WorldState& world, const Whirl& whirl, std::uint32_t bulle
     const Real between = static_cast<Real>(kLeastTurn / 2) * reachOf(world.bodies[whirl.body], whirl.localPivot);
     const Real radius = world.bodies[bullet].radius + between;
     const Result<Polygon> hull = from == to ? makeCircle(from, radius) : makeCapsule(from, to, radius);
-    return hull.ok() && sweepsOver(world, whirl, hull.value());
+    return !hull.ok() || sweepsOver(world, whirl, hull.value());
 }
 
 void listWhirls(WorldState& world, double dt) {
+    std::vector<Whirl>& whirls = world.bulletWork.whirls;
     for (const std::uint32_t index : world.activeJoints) {
         const std::uint32_t slot = turningBody(world, world.jointTies[index]);
         if (slot == kNoIndex) { continue; }
@@ -133,60 +157,104 @@ void listWhirls(WorldState& world, double dt) {
         const Swing& swing = isUp ? up : down;
         if (!(swing.turnIn(dt) > kLeastTurn)) { continue; }
         const bool isB = joint.bodyB == slot;
-        world.bulletWork.whirls.push_back({.body = slot,
-                                           .localPivot = isB ? joint.localAnchorB : joint.localAnchorA,
-                                           .spin = swing.spin,
-                                           .turn = swing.turnIn(dt),
-                                           .way = isUp == isB ? 1.0 : -1.0});
+        Whirl& whirl = whirls.emplace_back();
+        whirl.body = slot;
+        whirl.localPivot = isB ? joint.localAnchorB : joint.localAnchorA;
+        whirl.spin = swing.spin;
+        whirl.turn = swing.turnIn(dt);
+        whirl.way = isUp == isB ? 1.0 : -1.0;
+        whirl.box = boxOf(world, whirl);
+        if (!overlaps(whirl.box, whirl.box)) { whirls.pop_back(); }  // no number
     }
+    std::sort(whirls.begin(), whirls.end(), [](const Whirl& a, const Whirl& b) { return a.body < b.body; });
 }
 
-/// Bullets in the ways of whirls.
-void listMet(WorldState& world, Real dt) {
+/// Bullets near whirls: those that sleep or are slow by their boxes, fast ones by their paths.
+void listNear(WorldState& world, Real dt) {
+    BulletWork& work = world.bulletWork;
+    work.inTheWay.clear();
+    work.whirlBoxes.clear();
+    for (const Whirl& whirl : work.whirls) { work.whirlBoxes.push_back(whirl.box); }
+    world.broadphase->queryDynamic(work.whirlBoxes, [&](std::size_t i, ProxyId id) {
+        const std::uint32_t slot = world.shapes[world.proxyShapes[static_cast<std::uint32_t>(id)]].body;
+        if (world.bodies[slot].def.bullet) { work.inTheWay.push_back({static_cast<std::uint32_t>(i), slot}); }
+    });
+    world.flightScratch.resize(std::max<std::size_t>(world.flightScratch.size(), 1));
+    std::vector<BoxedItem>& movers = world.flightScratch[0].movers;
+    movers.clear();
+    const auto whirls = static_cast<std::uint32_t>(work.whirls.size());
+    for (std::uint32_t i = 0; i < whirls; ++i) { movers.push_back({work.whirls[i].box, i, true}); }
     for (const std::uint32_t slot : world.awake) {
-        if (!isBullet(world, slot)) { continue; }
+        if ((world.traits[slot] & kIsFast) == 0 || !world.bodies[slot].def.bullet) { continue; }
         const Aabb box = boxAhead(world, slot, dt);
-        for (Whirl& whirl : world.bulletWork.whirls) {
-            if (whirl.body == slot || !overlaps(box, boxOf(world, whirl))) { continue; }
-            if (!mayBodiesTouch(world, whirl.body, slot) || !isInTheWay(world, whirl, slot, dt)) { continue; }
-            world.bulletWork.ahead.push_back({whirl.body, slot});
-            ++whirl.met;
-        }
+        if (overlaps(box, box)) { movers.push_back({box, whirls + slot, false}); }
     }
+    forEachOverlap(movers, [&](std::uint32_t whirl, std::uint32_t other) {
+        if (other >= whirls) { work.inTheWay.push_back({whirl, other - whirls}); }
+    });
+    const auto order = [](const BulletAhead& pair) { return std::pair(pair.bullet, pair.other); };
+    std::sort(work.inTheWay.begin(), work.inTheWay.end(),
+              [&order](const BulletAhead& a, const BulletAhead& b) { return order(a) < order(b); });
+    const auto isSame = [&order](const BulletAhead& a, const BulletAhead& b) { return order(a) == order(b); };
+    work.inTheWay.erase(std::unique(work.inTheWay.begin(), work.inTheWay.end(), isSame), work.inTheWay.end());
 }
+
+/// Of those that are near.
+void listMet(WorldState& world, Real dt) {
+    BulletWork& work = world.bulletWork;
+    std::erase_if(work.inTheWay, [&](const BulletAhead& pair) {
+        Whirl& whirl = work.whirls[pair.bullet];
+        const bool meets = whirl.body != pair.other && isBullet(world, pair.other) &&
+                           mayBodiesTouch(world, whirl.body, pair.other) && isInTheWay(world, whirl, pair.other, dt);
+        whirl.met += meets ? 1 : 0;
+        return !meets;
+    });
+}
+
+bool meetsSome(const Whirl& whirl) { return whirl.met > 0 && whirl.met <= kMostMet; }
 
 /// What meets nobody does not whirl, and what meets a crowd strikes each on its own.
-void dropOthers(BulletWork& work) {
-    const auto whirls = [](const Whirl& whirl) { return whirl.met > 0 && whirl.met <= kMostMet; };
-    std::erase_if(work.ahead, [&](const BulletAhead& pair) {
-        return std::any_of(work.whirls.begin(), work.whirls.end(),
-                           [&](const Whirl& whirl) { return whirl.body == pair.bullet && !whirls(whirl); });
-    });
-    std::erase_if(work.whirls, [&](const Whirl& whirl) { return !whirls(whirl); });
-}
-
-}  // namespace
-
-void findWhirls(WorldState& world, Real dt) {
-    std::vector<Whirl>& whirls = world.bulletWork.whirls;
-    whirls.clear();
-    listWhirls(world, static_cast<double>(dt));
-    if (whirls.empty()) { return; }
-    listMet(world, dt);
-    dropOthers(world.bulletWork);
-    for (const Whirl& whirl : whirls) {
+void tieMet(WorldState& world) {
+    BulletWork& work = world.bulletWork;
+    for (const BulletAhead& pair : work.inTheWay) {
+        const Whirl& whirl = work.whirls[pair.bullet];
+        if (!meetsSome(whirl)) { continue; }
+        wake(world, pair.other);
+        work.ahead.push_back({whirl.body, pair.other});
+    }
+    std::erase_if(work.whirls, [](const Whirl& whirl) { return !meetsSome(whirl); });
+    for (const Whirl& whirl : work.whirls) {
         world.bodies[whirl.body].fast = true;
         BodyTraits& traits = world.traits[whirl.body];
         traits = static_cast<BodyTraits>((traits | kIsFast) & ~kIsStill);
     }
 }
 
+const Whirl* whirlAt(const WorldState& world, std::uint32_t slot) {
+    const std::vector<Whirl>& whirls = world.bulletWork.whirls;
+    const auto place = std::lower_bound(whirls.begin(), whirls.end(), slot,
+                                        [](const Whirl& whirl, std::uint32_t body) { return whirl.body < body; });
+    return place != whirls.end() && place->body == slot ? &*place : nullptr;
+}
+
+}  // namespace
+
+void findWhirls(WorldState& world, Real dt) {
+    listWhirls(world, static_cast<double>(dt));
+    if (world.bulletWork.whirls.empty()) { return; }
+    listNear(world, dt);
+    listMet(world, dt);
+    tieMet(world);
+}
+
+bool isWhirl(const WorldState& world, std::uint32_t slot) { return whirlAt(world, slot) != nullptr; }
+
 double whirlOf(const WorldState& world, std::span<const std::uint32_t> members) {
-    if (members.size() > kMostMembers) { return 0; }
+    if (world.bulletWork.whirls.empty() || members.size() > kMostMembers) { return 0; }
     double fastest = 0;
-    for (const Whirl& whirl : world.bulletWork.whirls) {
-        const bool isMember = std::find(members.begin(), members.end(), whirl.body) != members.end();
-        if (isMember) { fastest = std::max(fastest, whirl.spin); }
+    for (const std::uint32_t slot : members) {
+        const Whirl* const whirl = whirlAt(world, slot);
+        if (whirl != nullptr) { fastest = std::max(fastest, whirl->spin); }
     }
     return fastest;
 }

@@ -9,16 +9,16 @@ namespace {
 
 /// Of an overlap, in extents: what joints do not hold there is pushed out sooner.
 constexpr Real kDeep = Real(1) / 32;
-/// Of a joint, in extents or radians: what can close did so in the step before.
+/// Of the gap of a joint, in extents or radians: what can close did so in the step before.
 constexpr Real kOff = Real(1) / 512;
 
 bool isLoose(const JointChain& chain) { return chain.anchors == 0 && !chain.hasLoop(); }
 
 /// @pre dynamic, both
-bool areOfOneChain(WorldState& world, const TouchingPair& pair) {
+bool areOfOneChain(const WorldState& world, const TouchingPair& pair) {
     if (world.bodies[pair.bodyA].holdingJoints == 0 || world.bodies[pair.bodyB].holdingJoints == 0) { return false; }
-    IslandFinder& chains = world.jointChains.finder;
-    return chains.find(pair.bodyA) == chains.find(pair.bodyB);
+    const IslandFinder& chains = world.jointChains.finder;
+    return chains.rootOf(pair.bodyA) == chains.rootOf(pair.bodyB);
 }
 
 void noteDeepContacts(WorldState& world) {
@@ -31,11 +31,10 @@ void noteDeepContacts(WorldState& world) {
 }
 
 void noteJointsThatAreOff(WorldState& world) {
-    const JointChains& chains = world.jointChains;
     for (const std::uint32_t index : world.activeJoints) {
         const JointTie& tie = world.jointTies[index];
         const std::uint32_t slot = world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB;
-        const JointChain& chain = chains.list[chains.places[world.jointChains.finder.find(slot)]];
+        const JointChain& chain = world.jointChains.of(slot);
         IslandLoad& load = world.islandLoads[world.islands.rootOf(slot)];
         if (chain.doubled == 0 || !isLoose(chain) || load.contacts == 0) { continue; }
         load.isContradicted = load.isContradicted || gapOf(world, world.joints[index]) > kOff;

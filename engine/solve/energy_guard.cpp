@@ -139,7 +139,7 @@ void noteJointed(WorldState& world, const TiedGroup& group) {
     for (const std::uint32_t joint : group.joints) {
         const JointTie& tie = world.jointTies[joint];
         const std::uint32_t slot = moves(tie.bodyA) ? tie.bodyA : tie.bodyB;
-        const JointChain& chain = world.jointChains.list[world.jointChains.places[world.jointChains.finder.find(slot)]];
+        const JointChain& chain = world.jointChains.of(slot);
         noteJointed(accountOf(world, slot), chain, isExact, moves(tie.bodyA) && moves(tie.bodyB) ? 0 : 1);
     }
 }

@@ -54,7 +54,6 @@ void startleNearKinematicBodies(WorldState& world, Real dt) {
 /// What bullets that joints hold may meet in this step is awake.
 void wakeAheadOfBullets(WorldState& world, Real dt) {
     if (!world.jointChains.areCurrent) { findJointChains(world); }
-    world.bulletWork.ahead.clear();
     const std::size_t before = world.awake.size();
     if (!world.jointChains.bullets.empty()) { findAhead(world, dt); }
     findWhirls(world, dt);
@@ -131,6 +130,8 @@ void listRoles(WorldState& world) {
 }  // namespace
 
 void assignRoles(WorldState& world, Real dt) {
+    world.bulletWork.ahead.clear();
+    world.bulletWork.whirls.clear();
     if (world.kinematicBodies > 0) {
         const std::size_t before = world.awake.size();
         startleNearKinematicBodies(world, dt);

@@ -58,7 +58,8 @@ struct BulletMeeting {
     }
 };
 
-/// A bullet that joints hold, and a dynamic body that it may meet in this step, or a whirl and a bullet: slots.
+/// A bullet that joints hold, and a dynamic body that it may meet in this step, or a whirl (in place of the bullet) and
+/// a bullet: slots.
 struct BulletAhead {
     std::uint32_t bullet = 0;
     std::uint32_t other = 0;
@@ -71,6 +72,7 @@ struct Whirl {
     double spin = 0;         ///< rad/s within the step, no less
     double turn = 0;         ///< radians within the step, no less
     double way = 1;          ///< 1: counter-clockwise, -1: clockwise
+    Aabb box{};              ///< of all that it may sweep
     int met = 0;             ///< bullets in its way
 };
 
@@ -98,8 +100,10 @@ struct BulletWork {
     bool areSomeAtRest = false;  ///< bullets that look for nobody: they sleep, or hardly move
     double dt = 0;
 
-    std::vector<BulletAhead> ahead;  ///< what jointed bullets may meet (bullets_ahead.h), and whirls
-    std::vector<Whirl> whirls;       ///< of this step
+    std::vector<BulletAhead> ahead;     ///< what jointed bullets may meet (bullets_ahead.h), and whirls
+    std::vector<Whirl> whirls;          ///< of this step, by body
+    std::vector<BulletAhead> inTheWay;  ///< scratch: by place in `whirls`, and bullets
+    std::vector<Aabb> whirlBoxes;       ///< scratch
 
     // Of this moment.
     std::vector<BulletMeeting> together;  ///< those that share bodies; or one, of something static or kinematic

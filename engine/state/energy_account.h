@@ -32,7 +32,7 @@ struct EnergyAccount {
 
     // What holds it.
     bool isJointed = false;
-    bool isDoubled = false;     ///< two joints tie the same two bodies: they may not agree
+    bool isDoubled = false;     ///< two joints tie two of its bodies to each other: they may not agree
     bool gaveWay = false;       ///< where others were solved exactly (`Solver::gaveWay`)
     bool isYanked = false;      ///< a call moved what a joint holds far: its gap is closed at no cost
     bool isAnchored = false;    ///< joints, or a gear, tie it to what is not dynamic

@@ -68,6 +68,8 @@ struct JointChains {
     std::vector<std::uint32_t> places;   ///< by slot of the lowest body: in `list`; others are those of before
     ThinLoops thinLoops;                 ///< scratch
 
+    /// That of an awake dynamic body that a joint holds. @pre `areCurrent`
+    const JointChain& of(std::uint32_t body) const { return list[places[finder.rootOf(body)]]; }
     /// A body wakes, or falls asleep. @param holdingJoints  of the body
     void noteTurn(std::uint32_t holdingJoints) { areCurrent = areCurrent && holdingJoints == 0; }
 };

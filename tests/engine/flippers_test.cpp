@@ -193,6 +193,103 @@ TEST(Flippers, OfStrongMotorsShootBulletsAsFastAsTheyShould) {
     }
 }
 
+/// A flipper that waits on its motor, at its lower stop.
+struct Waiting {
+    explicit Waiting(const WorldSettings& settings) : world(makeWorld(settings)) {
+        level = must(world.createBody({}));
+        flipper = must(world.createBody({.type = BodyType::dynamic}));
+        must(world.addShape(flipper, must(makeBox(vec(0.035, kFlipperHalf), vec(0.035, 0))), material(0, 0, 60)));
+        RevoluteJointDef hinge;
+        hinge.base = {.bodyA = level, .bodyB = flipper};
+        hinge.limits = AngleLimits{.lower = 0, .upper = 1};
+        joint = must(world.createJoint(hinge));
+    }
+
+    BodyId addBall(double gap) {
+        BodyDef def = dynamicAt({0.04, kFlipperHalf + kBallRadius + gap});
+        def.bullet = true;
+        return addBody(world, def, circle(kBallRadius), material(0, 0, 140));
+    }
+    void press(double spin, double torque) {
+        must(world.setAngularMotor(joint, AngularMotor{.speed = real(spin), .maxTorque = real(torque)}));
+    }
+
+    World world;
+    BodyId level;
+    BodyId flipper;
+    JointId joint;
+};
+
+/// The same shot whether the ball slept or not: what sleeps in its way wakes.
+TEST(Flippers, ShootWhatSleeps) {
+    for (const Profile profile : kProfiles) {
+        for (const double spin : {40.0, 80.0}) {
+            double speeds[2] = {0, 0};
+            for (const bool sleeps : {false, true}) {
+                WorldSettings settings = awakeSettings(profile, 0);
+                settings.sleep = sleeps;
+                Waiting shot(settings);
+                const BodyId ball = shot.addBall(0.002);
+                run(shot.world, 60);
+                EXPECT_EQ(shot.world.isAwake(ball), !sleeps);
+                shot.press(spin, 2);
+                run(shot.world, 12);
+                speeds[sleeps ? 1 : 0] = length(velocityOf(shot.world, ball));
+            }
+            EXPECT_GT(speeds[0], 0.03 * spin) << profileName(profile);
+            EXPECT_NEAR(speeds[1], speeds[0], 1e-3 * speeds[0]) << profileName(profile);
+        }
+    }
+}
+
+/// What whirled in a step is forgotten by the next one, though its last bullet is gone: saved games leave it out.
+TEST(Flippers, ForgetBulletsThatAreGone) {
+    for (const Profile profile : kProfiles) {
+        Waiting shot(awakeSettings(profile, 0));
+        const BodyId ball = shot.addBall(0.01);
+        shot.press(20, 2);
+        run(shot.world, 2);
+        must(shot.world.destroyBody(ball));
+        World copy = shot.world;
+        World loaded;
+        must(loaded.load(shot.world.save()));
+        for (int i = 0; i < 5; ++i) {
+            for (World* const world : {&shot.world, &copy, &loaded}) { must(world->step(kStep)); }
+            EXPECT_EQ(copy.stateHash(), shot.world.stateHash()) << profileName(profile) << ", step " << i;
+            EXPECT_EQ(loaded.stateHash(), shot.world.stateHash()) << profileName(profile) << ", step " << i;
+        }
+    }
+}
+
+/// It presses a ball against a wall: a motor that is blocked throws nothing, and all of it comes to rest. (As if it
+/// might go at its speed in each step, it trembled, and let the ball go.)
+TEST(Flippers, ThatPinchABulletComeToRest) {
+    for (const Profile profile : kProfiles) {
+        for (const double spin : {5.0, 10.0, 20.0, 40.0}) {
+            for (const double torque : {2.0, 5.0, 10.0, 20.0}) {
+                WorldSettings settings;
+                settings.profile = profile;
+                World world = makeWorld(settings);
+                const BodyId level = addStatic(world, box(1, 0.02), material(0.6), {0, 0.08});
+                const BodyId flipper = must(world.createBody({.type = BodyType::dynamic}));
+                must(world.addShape(flipper, must(makeCapsule({}, vec(0.2, 0), real(0.01))), material(0.6, 0, 100)));
+                RevoluteJointDef hinge{.base = {.bodyA = level, .bodyB = flipper}};
+                hinge.motor = AngularMotor{.speed = real(spin), .maxTorque = real(torque)};
+                hinge.limits = AngleLimits{.lower = -1, .upper = 1};
+                must(world.createJoint(hinge));
+                BodyDef def = dynamicAt({0.15, 0.0351});
+                def.bullet = true;
+                const BodyId ball = addBody(world, def, circle(0.025), material(0.6, 0, 100));
+                run(world, 300);
+                const std::string name =
+                    profileName(profile) + ", " + std::to_string(spin) + " rad/s, " + std::to_string(torque) + " N m";
+                EXPECT_FALSE(world.isAwake(flipper)) << name;
+                EXPECT_GT(world.position(ball).y, 0) << name;
+            }
+        }
+    }
+}
+
 /// A spring throws a plunger to the end of its way, 6 cm, and the ball before it.
 double shotByPlunger(Profile profile, double hertz, double gap, double rate) {
     World world = makeWorld(awakeSettings(profile, 0));
@@ -301,6 +398,7 @@ double mostEnergyOfRope(Profile profile, double restitution, std::uint64_t seed)
     for (int i = 0; i < 6; ++i) {
         must(world.step(kStep));
         most = std::max(most, energyOf(world, bodies, 0) / start);
+        EXPECT_TRUE(std::isfinite(most));
     }
     return most;
 }

@@ -212,7 +212,9 @@ RopeInABall flyRope(Profile profile, double speed, int links, std::uint64_t seed
     RopeInABall rope;
     for (int i = 0; i < 600; ++i) {
         must(world.step(kStep));
-        rope.growth = std::max(rope.growth, energyWithin(world, bodies) / start);
+        const double growth = energyWithin(world, bodies) / start;
+        EXPECT_TRUE(std::isfinite(growth));
+        rope.growth = std::max(rope.growth, growth);
         for (const JointId joint : joints) { rope.gap = std::max(rope.gap, double{world.jointError(joint)}); }
     }
     return rope;
@@ -269,7 +271,11 @@ double fastestOfJammed(Profile profile, int links, double gap, double lift, std:
     double fastest = 0;
     for (int i = 0; i < 300; ++i) {
         must(world.step(kStep));
-        for (const BodyId body : bodies) { fastest = std::max(fastest, length(velocityOf(world, body))); }
+        for (const BodyId body : bodies) {
+            const double speed = length(velocityOf(world, body));
+            EXPECT_TRUE(std::isfinite(speed));
+            fastest = std::max(fastest, speed);
+        }
     }
     return fastest;
 }
