@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include "../../shapes/distance.h"
 #include "../../shapes/polygon.h"
@@ -172,12 +171,13 @@ void listWhirls(WorldState& world, double dt) {
 /// Bullets near whirls: those that sleep or are slow by their boxes, fast ones by their paths.
 void listNear(WorldState& world, Real dt) {
     BulletWork& work = world.bulletWork;
-    work.inTheWay.clear();
+    std::vector<WhirlMeeting>& near = work.nearWhirls;
+    near.clear();
     work.whirlBoxes.clear();
     for (const Whirl& whirl : work.whirls) { work.whirlBoxes.push_back(whirl.box); }
     world.broadphase->queryDynamic(work.whirlBoxes, [&](std::size_t i, ProxyId id) {
         const std::uint32_t slot = world.shapes[world.proxyShapes[static_cast<std::uint32_t>(id)]].body;
-        if (world.bodies[slot].def.bullet) { work.inTheWay.push_back({static_cast<std::uint32_t>(i), slot}); }
+        if (isBullet(world, slot)) { near.push_back({static_cast<std::uint32_t>(i), slot}); }
     });
     world.flightScratch.resize(std::max<std::size_t>(world.flightScratch.size(), 1));
     std::vector<BoxedItem>& movers = world.flightScratch[0].movers;
@@ -185,42 +185,39 @@ void listNear(WorldState& world, Real dt) {
     const auto whirls = static_cast<std::uint32_t>(work.whirls.size());
     for (std::uint32_t i = 0; i < whirls; ++i) { movers.push_back({work.whirls[i].box, i, true}); }
     for (const std::uint32_t slot : world.awake) {
-        if ((world.traits[slot] & kIsFast) == 0 || !world.bodies[slot].def.bullet) { continue; }
+        if ((world.traits[slot] & kIsFast) == 0 || !isBullet(world, slot)) { continue; }
         const Aabb box = boxAhead(world, slot, dt);
         if (overlaps(box, box)) { movers.push_back({box, whirls + slot, false}); }
     }
     forEachOverlap(movers, [&](std::uint32_t whirl, std::uint32_t other) {
-        if (other >= whirls) { work.inTheWay.push_back({whirl, other - whirls}); }
+        if (other >= whirls) { near.push_back({whirl, other - whirls}); }
     });
-    const auto order = [](const BulletAhead& pair) { return std::pair(pair.bullet, pair.other); };
-    std::sort(work.inTheWay.begin(), work.inTheWay.end(),
-              [&order](const BulletAhead& a, const BulletAhead& b) { return order(a) < order(b); });
-    const auto isSame = [&order](const BulletAhead& a, const BulletAhead& b) { return order(a) == order(b); };
-    work.inTheWay.erase(std::unique(work.inTheWay.begin(), work.inTheWay.end(), isSame), work.inTheWay.end());
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
 }
 
-/// Of those that are near.
-void listMet(WorldState& world, Real dt) {
-    BulletWork& work = world.bulletWork;
-    std::erase_if(work.inTheWay, [&](const BulletAhead& pair) {
-        Whirl& whirl = work.whirls[pair.bullet];
-        const bool meets = whirl.body != pair.other && isBullet(world, pair.other) &&
-                           mayBodiesTouch(world, whirl.body, pair.other) && isInTheWay(world, whirl, pair.other, dt);
-        whirl.met += meets ? 1 : 0;
-        return !meets;
+/// Leaves those that are in the way, and counts them.
+void findMet(WorldState& world, Real dt) {
+    std::vector<Whirl>& whirls = world.bulletWork.whirls;
+    std::vector<WhirlMeeting>& near = world.bulletWork.nearWhirls;
+    std::erase_if(near, [&](const WhirlMeeting& pair) {
+        const Whirl& whirl = whirls[pair.whirl];
+        return whirl.body == pair.bullet || !mayBodiesTouch(world, whirl.body, pair.bullet) ||
+               !isInTheWay(world, whirl, pair.bullet, dt);
     });
+    for (const WhirlMeeting& pair : near) { ++whirls[pair.whirl].met; }
 }
-
-bool meetsSome(const Whirl& whirl) { return whirl.met > 0 && whirl.met <= kMostMet; }
 
 /// What meets nobody does not whirl, and what meets a crowd strikes each on its own.
+bool meetsSome(const Whirl& whirl) { return whirl.met > 0 && whirl.met <= kMostMet; }
+
 void tieMet(WorldState& world) {
     BulletWork& work = world.bulletWork;
-    for (const BulletAhead& pair : work.inTheWay) {
-        const Whirl& whirl = work.whirls[pair.bullet];
+    for (const WhirlMeeting& pair : work.nearWhirls) {
+        const Whirl& whirl = work.whirls[pair.whirl];
         if (!meetsSome(whirl)) { continue; }
-        wake(world, pair.other);
-        work.ahead.push_back({whirl.body, pair.other});
+        wake(world, pair.bullet);
+        work.ahead.push_back({whirl.body, pair.bullet});
     }
     std::erase_if(work.whirls, [](const Whirl& whirl) { return !meetsSome(whirl); });
     for (const Whirl& whirl : work.whirls) {
@@ -243,7 +240,7 @@ void findWhirls(WorldState& world, Real dt) {
     listWhirls(world, static_cast<double>(dt));
     if (world.bulletWork.whirls.empty()) { return; }
     listNear(world, dt);
-    listMet(world, dt);
+    findMet(world, dt);
     tieMet(world);
 }
 

@@ -21,7 +21,7 @@ constexpr Real kWide = 2;
 
 struct Leap {
     double mass = 0;
-    double anchors = 0;
+    bool isAnchored = false;
     DVec2 momentum{};  ///< before the solve
     double way = 0;    ///< J, see `kLeap`
     double kinetic = 0;
@@ -81,7 +81,7 @@ private:
             Leap& leap = leaps_[account.motion];
             leap.joints += 1;
             const bool isAnchor = !world_.bodies[tie.bodyA].isDynamic() || !world_.bodies[tie.bodyB].isDynamic();
-            leap.anchors += isAnchor ? 1 : 0;
+            leap.isAnchored = leap.isAnchored || isAnchor;
         }
     }
 
@@ -145,7 +145,7 @@ private:
             if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
             const std::uint32_t slot = desk.bodies[i];
             const Leap* const leap = leapOf(slot);
-            if (leap == nullptr || !leap->isFar() || !leap->opens() || leap->anchors > 0) { continue; }
+            if (leap == nullptr || !leap->isFar() || !leap->opens() || leap->isAnchored) { continue; }
             world_.motions[slot].center += (time / leap->mass) * leap->momentum;
             updatePose(world_, slot);
         }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <tuple>
 #include <vector>
@@ -76,6 +77,13 @@ struct Whirl {
     int met = 0;             ///< bullets in its way
 };
 
+struct WhirlMeeting {
+    std::uint32_t whirl = 0;   ///< place in `BulletWork::whirls`
+    std::uint32_t bullet = 0;  ///< slot
+
+    auto operator<=>(const WhirlMeeting&) const = default;
+};
+
 /// What one worker found. Nothing of it shares a cache line with another worker's.
 struct alignas(kCacheLine) BulletFinds {
     std::vector<BulletMeeting> meetings;
@@ -100,10 +108,10 @@ struct BulletWork {
     bool areSomeAtRest = false;  ///< bullets that look for nobody: they sleep, or hardly move
     double dt = 0;
 
-    std::vector<BulletAhead> ahead;     ///< what jointed bullets may meet (bullets_ahead.h), and whirls
-    std::vector<Whirl> whirls;          ///< of this step, by body
-    std::vector<BulletAhead> inTheWay;  ///< scratch: by place in `whirls`, and bullets
-    std::vector<Aabb> whirlBoxes;       ///< scratch
+    std::vector<BulletAhead> ahead;        ///< what jointed bullets may meet (bullets_ahead.h), and whirls
+    std::vector<Whirl> whirls;             ///< of this step, by body
+    std::vector<WhirlMeeting> nearWhirls;  ///< scratch
+    std::vector<Aabb> whirlBoxes;          ///< scratch
 
     // Of this moment.
     std::vector<BulletMeeting> together;  ///< those that share bodies; or one, of something static or kinematic
