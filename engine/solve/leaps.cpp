@@ -159,6 +159,8 @@ private:
 
 }  // namespace
 
-void undoLeaps(WorldState& world, const TiedGroup& group, double time) { LeapFinder(world, group).undo(time); }
+void undoLeaps(WorldState& world, const TiedGroup& group, double time) {
+    if (!group.joints.empty()) { LeapFinder(world, group).undo(time); }
+}
 
 }  // namespace swept::inline SWEPT_PRECISION

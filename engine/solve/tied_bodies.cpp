@@ -229,7 +229,7 @@ void readBodies(WorldState& world, const TiedGroup& group, Real time, Real h) {
     if (!isWatched) { return; }
     book(world, desk);
     settleAccounts(world, group, time, h);
-    if (anyLeap && !group.joints.empty()) { undoLeaps(world, group, static_cast<double>(time)); }
+    if (anyLeap) { undoLeaps(world, group, static_cast<double>(time)); }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION
