@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
-#include "../bodies/body_mass.h"
+#include "../bodies/swap_places.h"
 #include "energy_gain.h"
 #include "joint_builder.h"
 #include "joint_results.h"
@@ -49,14 +48,14 @@ public:
             return mayBe(account) && (account.isTorn || isBurst);
         };
         findPlacesBack(time, mayBe);
-        changePlaces();
+        swapPlaces(world_, places_);
         noteGaps(mayBe, &EnergyAccount::gapBefore);
         for (const std::uint32_t root : group_.desk.energyRoots) {
             EnergyAccount& account = world_.energyAccounts[root];
             account.isCalmed = pays(account) && isOff(account);
         }
-        std::erase_if(places_, [this](const Place& place) { return accountOf(world_, place.slot).isCalmed; });
-        changePlaces();  // the others are there again
+        std::erase_if(places_, [this](const SwappedPlace& place) { return accountOf(world_, place.slot).isCalmed; });
+        swapPlaces(world_, places_);  // the others are there again
         payForWays();
         forget();
     }
@@ -169,16 +168,6 @@ private:
         });
     }
 
-    /// Of bodies and what is noted: twice, and all are where they were, to the bit.
-    void changePlaces() {
-        for (Place& place : places_) {
-            BodyMotion& motion = world_.motions[place.slot];
-            std::swap(motion.center, place.center);
-            std::swap(motion.angle, place.angle);
-            updatePose(world_, place.slot);
-        }
-    }
-
     /// What the next step would begin with.
     void forget() {
         const auto isCalmed = [this](const EnergyAccount& account) {
@@ -198,15 +187,9 @@ private:
         }
     }
 
-    struct Place {
-        std::uint32_t slot;
-        DVec2 center;
-        double angle;
-    };
-
     WorldState& world_;
     const TiedGroup& group_;
-    std::vector<Place> places_;
+    std::vector<SwappedPlace> places_;
 };
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "leaps.h"
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "../bodies/body_mass.h"
+#include "../bodies/swap_places.h"
 #include "energy_calm.h"
 #include "energy_gain.h"
 #include "joint_results.h"
@@ -43,20 +43,14 @@ public:
         noteGaps(&Leap::gapAfter);
         listBack();
         if (back_.empty()) { return; }
-        changePlaces();
+        swapPlaces(world_, back_);
         noteGaps(&Leap::gapBefore);
-        std::erase_if(back_, [this](const Place& place) { return leapOf(place.slot)->opens(); });
-        changePlaces();  // those that open no joints are there again
+        std::erase_if(back_, [this](const SwappedPlace& place) { return leapOf(place.slot)->opens(); });
+        swapPlaces(world_, back_);  // those that open no joints are there again
         goOn(time);
     }
 
 private:
-    struct Place {
-        std::uint32_t slot;
-        DVec2 center;
-        double angle;
-    };
-
     Leap* leapOf(std::uint32_t slot) {
         const EnergyAccount& account = accountOf(world_, slot);
         return account.solve == group_.desk.energySolve && account.motion < leaps_.size() ? &leaps_[account.motion]
@@ -125,15 +119,6 @@ private:
         }
     }
 
-    void changePlaces() {
-        for (Place& place : back_) {
-            BodyMotion& motion = world_.motions[place.slot];
-            std::swap(motion.center, place.center);
-            std::swap(motion.angle, place.angle);
-            updatePose(world_, place.slot);
-        }
-    }
-
     /// Those that stay back.
     void goOn(double time) {
         for (const std::uint32_t i : group_.joints) {
@@ -154,7 +139,7 @@ private:
     WorldState& world_;
     const TiedGroup& group_;
     std::vector<Leap> leaps_;
-    std::vector<Place> back_;  ///< where bodies were, or are
+    std::vector<SwappedPlace> back_;  ///< where bodies were, or are
 };
 
 }  // namespace
