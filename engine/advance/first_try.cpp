@@ -7,6 +7,7 @@
 #include "../solve/solve_outcome.h"
 #include "../state/profile.h"
 #include "island_advance.h"
+#include "part_sub_steps.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {

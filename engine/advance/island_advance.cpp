@@ -32,10 +32,6 @@ constexpr std::size_t kMaxMemberTriesOfFast = 256;
 /// With fewer tries than this every one of them is in vain.
 constexpr std::size_t kFewestTries = 2;
 constexpr std::size_t kLastParts = 8;
-/// Radians that a member may turn in a part: sweeps go straight from pose to pose.
-constexpr double kMaxTurn = 0.5;
-/// Without joints the way of a turning body is straight; only what it looks like from its partner changes.
-constexpr double kMaxLooseTurn = 2;
 /// Radians in the shortest part beyond which no turn is followed: the rest of the step is one part.
 constexpr double kHopelessTurn = 1024;
 /// A part that was already made to fit, and still ends at an impact, is cut there if that leaves at least so much of
@@ -331,11 +327,6 @@ void flyInstead(Course& course) {
 }
 
 }  // namespace
-
-bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, bool isJointed, double dt) {
-    if (whirlOf(world, members) > 0) { return false; }
-    return fastestSpin(world, members, Spinners::all) * dt <= (isJointed ? kMaxTurn : kMaxLooseTurn);
-}
 
 double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, const StepPart& part,
                      FlightScratch& scratch) {

@@ -23,10 +23,6 @@ std::size_t mostTogether(const WorldSettings& settings);
 /// it was not
 void advanceIsland(WorldState& world, IslandDesk& desk, double dt, FlightScratch& scratch, double met = 1);
 
-/// Whether the first part of an island, and at most one of its parts, is the whole step.
-/// @param isJointed  hinges tie its members; @pre no other joint does
-bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, bool isJointed, double dt);
-
 /// Fraction of a part of the step, which was solved, at which the first member meets something; 1: none does. What a
 /// member is sunk into does not count: that holds it alone (`holdSunk`), and does not hold up its island again and
 /// again.

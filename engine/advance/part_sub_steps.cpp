@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../flight/whirls.h"
 #include "../islands/hard_pull.h"
 #include "../islands/rod_turn.h"
 #include "../state/profile.h"
@@ -50,6 +51,11 @@ double fastestSpin(const WorldState& world, const AdvancingIsland& island, Spinn
         fastest = std::max(fastest, rodTurnOf(world, world.joints[slot]));
     }
     return fastest;
+}
+
+bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, bool isJointed, double dt) {
+    if (whirlOf(world, members) > 0) { return false; }
+    return fastestSpin(world, members, Spinners::all) * dt <= (isJointed ? kMaxTurn : kMaxLooseTurn);
 }
 
 int subStepsOfPart(const WorldState& world, const AdvancingIsland& island, double time, double dt) {

@@ -17,6 +17,15 @@ double fastestSpin(const WorldState& world, std::span<const std::uint32_t> membe
 /// The same, and of rods.
 double fastestSpin(const WorldState& world, const AdvancingIsland& island, Spinners which);
 
+/// Radians that a member may turn in a part: sweeps go straight from pose to pose.
+inline constexpr double kMaxTurn = 0.5;
+/// Without joints the way of a turning body is straight; only what it looks like from its partner changes.
+inline constexpr double kMaxLooseTurn = 2;
+
+/// Whether the first part of an island, and at most one of its parts, is the whole step.
+/// @param isJointed  hinges tie its members; @pre no other joint does
+bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, bool isJointed, double dt);
+
 /// Into how many sub-steps a part of the step goes: at most as many as the whole step would, and enough for joints to
 /// follow the turns of what they tie, which an impact may just have begun.
 /// @param time  of the part, seconds
