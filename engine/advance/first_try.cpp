@@ -79,7 +79,7 @@ void remember(WorldState& world, std::size_t island) {
         world.bodies[slot].role = BodyRole::solved;
     }
     for (const std::uint32_t joint : fast.joints.of(island)) {
-        fast.triedHinges[place.hinge++] = world.joints[joint].hinge;
+        fast.triedHinges[place.hinge++] = {world.joints[joint].hinge, world.joints[joint].restLoad};
     }
     const LentEnergy* const lent = lentOf(world, fast.joints.of(island));
     if (lent != nullptr) { fast.triedPlaces[island].lent = *lent; }
@@ -106,7 +106,9 @@ void judge(WorldState& world, std::size_t island, double dt, FlightScratch& scra
     }
     if (!meets) { return; }
     for (const std::uint32_t joint : fast.joints.of(island)) {
-        world.joints[joint].hinge = fast.triedHinges[place.hinge++];
+        const TriedHinge& before = fast.triedHinges[place.hinge++];
+        world.joints[joint].hinge = before.hinge;
+        world.joints[joint].restLoad = before.restLoad;
     }
     LentEnergy* const lent = lentOf(world, fast.joints.of(island));
     if (lent != nullptr) { *lent = place.lent; }

@@ -71,10 +71,15 @@ void rouse(WorldState& world, std::uint32_t slot) {
     startResting(world.bodies[slot], world.motions[slot]);
 }
 
-void rouseToRest(WorldState& world, std::uint32_t slot) {
+void wakeToRest(WorldState& world, std::uint32_t slot) {
     const std::size_t before = world.awake.size();
-    rouse(world, slot);
+    wake(world, slot);
     for (std::size_t i = before; i < world.awake.size(); ++i) { world.bodies[world.awake[i]].soughtSteps = 0; }
+}
+
+void rouseToRest(WorldState& world, std::uint32_t slot) {
+    wakeToRest(world, slot);
+    startResting(world.bodies[slot], world.motions[slot]);
 }
 
 void notePut(Body& body) {

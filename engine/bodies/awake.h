@@ -24,8 +24,9 @@ void wakeAll(WorldState& world);
 void wakeJoined(WorldState& world, std::uint32_t body);
 /// All that is held with a body takes part again, in its old order. @pre it is held
 void releaseHeld(WorldState& world, std::uint32_t body);
-/// As `rouse`. What carried it is gone, or is another thing now: a balance of all that rested together is sought at
-/// once.
+/// As `wake`: a balance of all that rested together is sought at once.
+void wakeToRest(WorldState& world, std::uint32_t body);
+/// Likewise, as `rouse`: what carried it is gone, or is another thing now.
 void rouseToRest(WorldState& world, std::uint32_t body);
 /// What everything was in balance with is no longer so.
 void releaseAllHeld(WorldState& world);

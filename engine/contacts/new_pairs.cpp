@@ -24,7 +24,7 @@ void releaseWhatIsMet(WorldState& world, std::uint32_t a, std::uint32_t b) {
     for (const std::uint32_t slot : {a, b}) {
         if (world.bodies[slot].heldIn == kNoIndex) { continue; }
         if (world.bodies[slot == a ? b : a].def.type == BodyType::fixed) {
-            rouseToRest(world, slot);
+            wakeToRest(world, slot);
         } else {
             releaseHeld(world, slot);
         }

@@ -68,14 +68,20 @@ double springSpin(const Spring& spring, double stretch, double dt) {
     return rate * std::max(stretch, 0.0) * std::min(rate * dt, 1.0);
 }
 
-/// @param way  1: towards the upper limit, -1: towards the lower one
+/// rad/s of what the hinge holds it to.
+double spinOfBase(const WorldState& world, const Joint& joint, bool isB) {
+    return static_cast<double>(world.motions[isB ? joint.bodyA : joint.bodyB].angularVelocity);
+}
+
+/// Relative to what the hinge holds it to. @param way  1: towards the upper limit, -1: towards the lower one
 Swing swingOf(const WorldState& world, const Joint& joint, std::uint32_t slot, double way, double dt) {
     const RevoluteJointDef& def = std::get_if<HingePart>(&joint.parts)->def;
     const Body& body = world.bodies[slot];
     const bool isB = joint.bodyB == slot;
     const double gain = dt * inverseInertiaAbout(body, isB ? joint.localAnchorB : joint.localAnchorA);
     const double side = isB ? way : -way;
-    const double spin = side * static_cast<double>(world.motions[slot].angularVelocity);
+    const double spin =
+        side * (static_cast<double>(world.motions[slot].angularVelocity) - spinOfBase(world, joint, isB));
     const Vec2 arm =
         rotate(world.motions[slot].pose.rotation, body.localCenter - (isB ? joint.localAnchorB : joint.localAnchorA));
     const double torque =
@@ -150,18 +156,22 @@ void listWhirls(WorldState& world, double dt) {
         const std::uint32_t slot = turningBody(world, world.jointTies[index]);
         if (slot == kNoIndex) { continue; }
         const Joint& joint = world.joints[index];
+        const bool isB = joint.bodyB == slot;
         const Swing up = swingOf(world, joint, slot, 1, dt);
         const Swing down = swingOf(world, joint, slot, -1, dt);
-        const bool isUp = up.turnIn(dt) > down.turnIn(dt);
-        const Swing& swing = isUp ? up : down;
-        if (!(swing.turnIn(dt) > kLeastTurn)) { continue; }
-        const bool isB = joint.bodyB == slot;
+        const double base = spinOfBase(world, joint, isB);
+        const double carried = (isB ? base : -base) * dt;
+        const double turnUp = up.turnIn(dt) + carried;
+        const double turnDown = down.turnIn(dt) - carried;
+        const bool isUp = turnUp > turnDown;
+        const double turn = isUp ? turnUp : turnDown;
+        if (!(turn > kLeastTurn)) { continue; }
         Whirl& whirl = whirls.emplace_back();
         whirl.body = slot;
         whirl.localPivot = isB ? joint.localAnchorB : joint.localAnchorA;
-        whirl.spin = swing.spin;
-        whirl.turn = swing.turnIn(dt);
         whirl.way = isUp == isB ? 1.0 : -1.0;
+        whirl.spin = (isUp ? up : down).spin + whirl.way * base;
+        whirl.turn = turn;
         whirl.box = boxOf(world, whirl);
         if (!overlaps(whirl.box, whirl.box)) { whirls.pop_back(); }  // no number
     }

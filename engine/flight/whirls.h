@@ -7,11 +7,11 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// A flipper: what turns about a hinge on the ground, its only joint, by more than a little within the step, or is
-/// about to, since a motor, a spring or a torque drives it, with a bullet in its way. Solved in one piece it would go
-/// by the chord of its arc, and strike the bullet once, with no more than it weighs. So it advances together with that
-/// (island_advance.h), in parts that turn it by little: it is swept against the bullet, which then lies on it, is
-/// driven on with it, and slides outwards as it turns.
+/// A flipper: what turns about a hinge on what is not dynamic, its only joint, by more than a little within the
+/// step, or is about to, since a motor, a spring or a torque drives it, with a bullet in its way. Solved in one piece
+/// it would go by the chord of its arc, and strike the bullet once, with no more than it weighs. So it advances
+/// together with that (island_advance.h), in parts that turn it by little: it is swept against the bullet, which then
+/// lies on it, is driven on with it, and slides outwards as it turns.
 
 /// Radians within a part of the step: up to so much, it pushes in the direction of the part's beginning.
 inline constexpr double kWhirlTurn = 1.0 / 32;

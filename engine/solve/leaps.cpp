@@ -53,8 +53,9 @@ public:
 private:
     Leap* leapOf(std::uint32_t slot) {
         const EnergyAccount& account = accountOf(world_, slot);
-        return account.solve == group_.desk.energySolve && account.motion < leaps_.size() ? &leaps_[account.motion]
-                                                                                          : nullptr;
+        const bool isTold = account.solve == group_.desk.energySolve && account.motion < leaps_.size();
+        // What was calmed is back where it was, and is not where its entries lead from.
+        return isTold && !account.isCalmed ? &leaps_[account.motion] : nullptr;
     }
 
     std::uint32_t dynamicBodyOf(const JointTie& tie) const {

@@ -19,6 +19,12 @@ struct TriedContact {
     ContactOutcome before{};
 };
 
+/// Of a joint, all that such a solve may change and the next one begins with.
+struct TriedHinge {
+    HingeMemory hinge{};
+    JointLoad restLoad{};
+};
+
 /// Where an island keeps what such a solve changes: index of its first member and joint there, and its loan.
 struct TriedPlace {
     std::size_t body = 0;
@@ -40,7 +46,7 @@ struct FastIslands {
     std::vector<TriedPlace> triedPlaces;      ///< by island, likewise: in the last two of these
     std::vector<TriedContact> triedContacts;  ///< of all of them, before
     std::vector<BodyOutcome> triedBodies;     ///< their members
-    std::vector<HingeMemory> triedHinges;     ///< and of their joints
+    std::vector<TriedHinge> triedHinges;      ///< and their joints
     std::size_t eventsBefore = 0;
     IslandItems bodies;                                             ///< slots, in order of waking
     IslandItems contacts;                                           ///< indices of their probes

@@ -298,5 +298,30 @@ TEST(Sleepers, StandOnGroundThatIsReplaced) {
     }
 }
 
+/// What is built beside them wakes nobody, be it with a gap or a sensor. (What was held rested anew for each piece.)
+TEST(Sleepers, SleepBesideWhatIsBuilt) {
+    for (const bool isSensor : {false, true}) {
+        for (const int every : {15, 60}) {
+            World world = makeWorld(WorldSettings{});
+            const BodyId level = must(world.createBody({}));
+            must(world.addShape(level, box(10, 0.5)));
+            const BodyId sleeper = addBody(world, dynamicAt({0, 1}), box(0.5, 0.5));
+            const auto build = [&](int step) {
+                if (step % every == 0) {
+                    ShapeDef def = material(0.6);
+                    def.sensor = isSensor;
+                    addBody(world, {.position = {isSensor ? 0.51 : 0.55, 1.2}}, box(0.02, 0.02), def);
+                }
+            };
+            int steps = 0;
+            while (world.isAwake(sleeper) && steps < 600) {
+                build(++steps);
+                run(world, 1);
+            }
+            EXPECT_LT(steps, 100) << (isSensor ? "sensors" : "boxes") << " every " << every;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
