@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../bodies/body_joints.h"
 #include "../solve/energy_calm.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -33,7 +34,7 @@ void noteDeepContacts(WorldState& world) {
 void noteJointsThatAreOff(WorldState& world) {
     for (const std::uint32_t index : world.activeJoints) {
         const JointTie& tie = world.jointTies[index];
-        const std::uint32_t slot = world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB;
+        const std::uint32_t slot = dynamicBodyOf(world, tie);
         const JointChain& chain = world.jointChains.of(slot);
         IslandLoad& load = world.islandLoads[world.islands.rootOf(slot)];
         if (chain.doubled == 0 || !isLoose(chain) || load.contacts == 0) { continue; }

@@ -12,16 +12,6 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-bool isAwakeDynamic(const WorldState& world, std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; }
-
-std::uint32_t firstAwakeOf(const WorldState& world, const JointTie& tie, std::uint32_t joint) {
-    if (isAwakeDynamic(world, tie.bodyA)) { return tie.bodyA; }
-    if (tie.isPair) { return tie.bodyB; }
-    const auto bodies = world.joints[joint].allBodies();
-    return *std::find_if(bodies.begin(), bodies.end(),
-                         [&world](std::uint32_t slot) { return isAwakeDynamic(world, slot); });
-}
-
 /// Of most only what all joints are asked first is looked at.
 template <class Visit>
 void forEachBodyOf(const WorldState& world, const JointTie& tie, std::uint32_t joint, const Visit& visit) {
@@ -46,7 +36,7 @@ void listJointsOfAwake(WorldState& world) {
         if (!isAwakeDynamic(world, slot)) { continue; }
         for (const std::uint32_t index : world.bodies[slot].joints) {
             const JointTie& tie = world.jointTies[index];
-            if (tie.holds && firstAwakeOf(world, tie, index) == slot) { world.activeJoints.push_back(index); }
+            if (tie.holds && movingBodyOf(world, index) == slot) { world.activeJoints.push_back(index); }
         }
     }
     std::sort(world.activeJoints.begin(), world.activeJoints.end());
@@ -75,7 +65,7 @@ void tieBodies(WorldState& world) {
     chains.finder.reset(world.bodies.slotCount(), world.awake);
     for (const std::uint32_t i : world.activeJoints) {
         const JointTie& tie = world.jointTies[i];
-        const std::uint32_t first = firstAwakeOf(world, tie, i);
+        const std::uint32_t first = movingBodyOf(world, i);
         forEachBodyOf(world, tie, i, [&](std::uint32_t other) {
             if (isAwakeDynamic(world, other)) { chains.finder.unite(first, other); }
         });
@@ -126,7 +116,7 @@ void sumUpJoints(WorldState& world) {
     JointChains& chains = world.jointChains;
     for (const std::uint32_t i : world.activeJoints) {
         const JointTie& tie = world.jointTies[i];
-        JointChain& chain = chains.list[chains.places[chains.finder.find(firstAwakeOf(world, tie, i))]];
+        JointChain& chain = chains.list[chains.places[chains.finder.find(movingBodyOf(world, i))]];
         ++chain.joints;
         chain.ties += tie.drivesAngleAlone ? 0 : 1;
         chain.doubled += !tie.drivesAngleAlone && isDoubled(world, tie, i) ? 1 : 0;

@@ -73,7 +73,7 @@ void slowHangingIslands(WorldState& world, double dt) {
     }
     for (const std::uint32_t i : world.activeJoints) {
         const JointTie& tie = world.jointTies[i];
-        const std::uint32_t moved = (world.traits[tie.bodyA] & kIsDynamic) != 0 ? tie.bodyA : tie.bodyB;
+        const std::uint32_t moved = isAwakeDynamic(world, tie.bodyA) ? tie.bodyA : tie.bodyB;
         std::uint8_t& hangs = world.islandHangs[world.islands.find(moved)];
         hangs = hangs != 0 && weighHinge(world, world.joints[i], step) ? 1 : 0;
     }

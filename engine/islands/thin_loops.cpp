@@ -31,10 +31,9 @@ void numberBodies(JointChains& chains, ThinLoops& scratch) {
 void listTies(WorldState& world, ThinLoops& scratch) {
     JointChains& chains = world.jointChains;
     scratch.ties.clear();
-    const auto moves = [&world](std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; };
     for (const std::uint32_t i : world.activeJoints) {
         const JointTie& tie = world.jointTies[i];
-        if (!tie.isPair || !moves(tie.bodyA) || !moves(tie.bodyB)) { continue; }
+        if (!tie.isPair || !isAwakeDynamic(world, tie.bodyA) || !isAwakeDynamic(world, tie.bodyB)) { continue; }
         const std::uint32_t chain = chains.places[chains.finder.find(tie.bodyA)];
         if (!mayBeThin(chains.list[chain])) { continue; }
         scratch.ties.push_back({chain, {scratch.numbers[tie.bodyA], scratch.numbers[tie.bodyB]}});

@@ -85,26 +85,23 @@ private:
     template <class IsMeant>
     void noteWays(double time, const IsMeant& isMeant) {
         const SolveDesk& desk = group_.desk;
-        for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-            if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-            EnergyAccount& account = accountOf(world_, desk.bodies[i]);
-            if (!pays(account) || !isMeant(account)) { continue; }
+        forEachMoved(desk, [&](std::size_t i, std::uint32_t slot) {
+            EnergyAccount& account = accountOf(world_, slot);
+            if (!pays(account) || !isMeant(account)) { return; }
             const EnergyEntry& entry = desk.energyEntries[i];
-            const Body& body = world_.bodies[desk.bodies[i]];
+            const Body& body = world_.bodies[slot];
             const double turned = inertiaOf(body) * squared(static_cast<double>(entry.turned));
             account.way += 0.5 * (body.mass * squared(toDouble(entry.moved)) + turned) / squared(time);
-        }
+        });
     }
 
     /// Where a body gets with what is left of its motion relative to its island, as the island goes as a whole.
     template <class IsMeant>
     void findPlacesBack(double time, const IsMeant& isMeant) {
         SolveDesk& desk = group_.desk;
-        for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-            if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-            const std::uint32_t slot = desk.bodies[i];
+        forEachMoved(desk, [&](std::size_t i, std::uint32_t slot) {
             const EnergyAccount& account = accountOf(world_, slot);
-            if (!pays(account) || !isMeant(account)) { continue; }
+            if (!pays(account) || !isMeant(account)) { return; }
             const Body& body = world_.bodies[slot];
             const IslandMotion& island = desk.islandMotions[account.motion];
             const DVec2 arm = world_.motions[slot].center - world_.motions[island.root].center - island.center;
@@ -117,7 +114,7 @@ private:
             places_.push_back({slot, motion.center + back, motion.angle + turned});
             entry.work += body.mass * dot(toDouble(accelerationOf(world_, body)), back);
             entry.turningWork += static_cast<double>(body.torque) * turned;
-        }
+        });
     }
 
     double kineticOf(std::uint32_t slot) const {
@@ -130,11 +127,10 @@ private:
     template <class Visit>
     void forEachCalmed(const Visit& visit) {
         const SolveDesk& desk = group_.desk;
-        for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-            if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-            EnergyAccount& account = accountOf(world_, desk.bodies[i]);
-            if (account.isCalmed) { visit(account, desk.energyEntries[i], desk.bodies[i]); }
-        }
+        forEachMoved(desk, [&](std::size_t i, std::uint32_t slot) {
+            EnergyAccount& account = accountOf(world_, slot);
+            if (account.isCalmed) { visit(account, desk.energyEntries[i], slot); }
+        });
     }
 
     /// Gravity gave nothing for ways that were not gone. (Twelve boxes on hinges that did not fit each other were

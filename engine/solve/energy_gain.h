@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../bodies/body_joints.h"
 #include "tied_group.h"
 
 /// What counts as a gain of energy (energy_guard.h).
@@ -63,7 +64,15 @@ inline EnergyAccount& accountOf(WorldState& world, std::uint32_t slot) {
 }
 
 inline EnergyAccount& accountOf(WorldState& world, const JointTie& tie) {
-    return accountOf(world, world.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB);
+    return accountOf(world, dynamicBodyOf(world, tie));
+}
+
+/// Of what is solved, all that can be moved. @param visit  gets the place among `SolveDesk::bodies`, and the slot
+template <class Visit>
+void forEachMoved(const SolveDesk& desk, const Visit& visit) {
+    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
+        if (isMovable(desk.batch.inertias[i + 1])) { visit(i, desk.bodies[i]); }
+    }
 }
 
 /// Of the members of the group, those whose island gained.

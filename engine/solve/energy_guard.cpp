@@ -79,17 +79,15 @@ constexpr Real kTornGap = Real(1) / 8;
 /// @pre what leads is noted
 void findFed(WorldState& world, const TiedGroup& group) {
     const SolveDesk& desk = group.desk;
-    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-        EnergyAccount& account = accountOf(world, desk.bodies[i]);
-        if (!account.isLed) { continue; }
-        const Body& body = world.bodies[desk.bodies[i]];
+    forEachMoved(desk, [&](std::size_t, std::uint32_t slot) {
+        EnergyAccount& account = accountOf(world, slot);
+        if (!account.isLed) { return; }
+        const Body& body = world.bodies[slot];
         const bool isCarried = account.carrier != EnergyAccount::kNone;
-        const double arm =
-            isCarried ? length(world.motions[desk.bodies[i]].center - world.motions[account.carrier].center) : 0;
+        const double arm = isCarried ? length(world.motions[slot].center - world.motions[account.carrier].center) : 0;
         account.led += 0.5 * (body.mass * squared(account.leadSpeed + account.leadSpin * arm) +
                               inertiaOf(body) * squared(account.leadSpin));
-    }
+    });
     const auto isFast = [](const EnergyAccount& account) {
         return account.isLed && !account.isFed && account.kinetic > kMostLead * account.led && hasGained(account);
     };
@@ -116,10 +114,10 @@ void noteJointed(EnergyAccount& account, const JointChain& chain, bool isExact, 
 }
 
 void noteWhatGaveWay(WorldState& world, const SolveDesk& desk) {
-    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-        if (!isMovable(desk.batch.inertias[i + 1]) || !desk.solver.gaveWay(static_cast<BodySlot>(i + 1))) { continue; }
-        accountOf(world, desk.bodies[i]).gaveWay = true;
-    }
+    forEachMoved(desk, [&](std::size_t i, std::uint32_t slot) {
+        if (!desk.solver.gaveWay(static_cast<BodySlot>(i + 1))) { return; }
+        accountOf(world, slot).gaveWay = true;
+    });
 }
 
 /// Which islands have joints, and whether these drive them or hold them to something. Joints that are solved exactly
@@ -135,12 +133,12 @@ void noteJointed(WorldState& world, const TiedGroup& group) {
         }
         return;
     }
-    const auto moves = [&world](std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; };
     for (const std::uint32_t joint : group.joints) {
         const JointTie& tie = world.jointTies[joint];
-        const std::uint32_t slot = moves(tie.bodyA) ? tie.bodyA : tie.bodyB;
+        const std::uint32_t slot = isAwakeDynamic(world, tie.bodyA) ? tie.bodyA : tie.bodyB;
         const JointChain& chain = world.jointChains.of(slot);
-        noteJointed(accountOf(world, slot), chain, isExact, moves(tie.bodyA) && moves(tie.bodyB) ? 0 : 1);
+        const bool isAnchored = !isAwakeDynamic(world, tie.bodyA) || !isAwakeDynamic(world, tie.bodyB);
+        noteJointed(accountOf(world, slot), chain, isExact, isAnchored ? 1 : 0);
     }
 }
 
@@ -154,18 +152,17 @@ bool mayDrift(const EnergyAccount& account) {
 void findDrifts(WorldState& world, SolveDesk& desk) {
     std::vector<IslandMotion>& islands = desk.islandMotions;
     islands.clear();
-    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-        EnergyAccount& account = accountOf(world, desk.bodies[i]);
-        if (!mayDrift(account)) { continue; }
+    forEachMoved(desk, [&](std::size_t, std::uint32_t slot) {
+        EnergyAccount& account = accountOf(world, slot);
+        if (!mayDrift(account)) { return; }
         if (account.motion == kNoIndex) {
             account.motion = static_cast<std::uint32_t>(islands.size());
-            islands.push_back({.root = world.islands.find(desk.bodies[i])});
+            islands.push_back({.root = world.islands.find(slot)});
         }
-        const double mass = world.bodies[desk.bodies[i]].mass;
+        const double mass = world.bodies[slot].mass;
         islands[account.motion].mass += mass;
-        islands[account.motion].velocity += mass * toDouble(world.motions[desk.bodies[i]].velocity);
-    }
+        islands[account.motion].velocity += mass * toDouble(world.motions[slot].velocity);
+    });
     for (const IslandMotion& island : islands) {
         EnergyAccount& account = world.energyAccounts[island.root];
         account.drift = squared(island.velocity) / (2 * island.mass);

@@ -54,11 +54,8 @@ DVec2 alongGround(DVec2 velocity, DVec2 push) {
 /// Of a group, and of members before a solve.
 template <class Visit>
 void forEachEntry(const WorldState& world, const SolveDesk& desk, const Visit& visit) {
-    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-        if (isMovable(desk.batch.inertias[i + 1])) {
-            visit(world.bodies[desk.bodies[i]], desk.energyEntries[i], desk.bodies[i]);
-        }
-    }
+    forEachMoved(desk,
+                 [&](std::size_t i, std::uint32_t slot) { visit(world.bodies[slot], desk.energyEntries[i], slot); });
 }
 
 /// What the motion of islands that nothing holds comes to by what pulls at them alone, in so many seconds. Joints with

@@ -26,10 +26,9 @@ BodyMotion motionBefore(const WorldState& world, const SolveDesk& desk, std::uin
 
 /// Of what moves in a solve: its place there, once more while springs are asked.
 void placeMovable(WorldState& world, const SolveDesk& desk, bool isAsked) {
-    for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-        if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-        world.solverSlots[desk.bodies[i]] = isAsked ? static_cast<BodySlot>(i + 1) : kFixedSlot;
-    }
+    forEachMoved(desk, [&](std::size_t i, std::uint32_t slot) {
+        world.solverSlots[slot] = isAsked ? static_cast<BodySlot>(i + 1) : kFixedSlot;
+    });
 }
 
 }  // namespace

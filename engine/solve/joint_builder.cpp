@@ -5,6 +5,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "../bodies/body_joints.h"
 #include "../state/profile.h"
 #include "driven_joints.h"
 #include "joint_place.h"
@@ -160,8 +161,7 @@ struct ConstraintFiller {
         hinge.isThere = false;
         if (!isTurned) { return; }
         // Many joints may hang on what is not dynamic.
-        const std::uint32_t moving = world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA;
-        for (const std::uint32_t other : world.bodies[moving].joints) {
+        for (const std::uint32_t other : world.bodies[heldBodyOf(world, joint)].joints) {
             const JointTie& tie = world.jointTies[other];
             const bool isSame = tie.bodyA == joint.bodyA && tie.bodyB == joint.bodyB;
             const bool isReversed = tie.bodyA == joint.bodyB && tie.bodyB == joint.bodyA;
@@ -229,8 +229,7 @@ struct ConstraintFiller {
         constraint.anchorA = armOf(world, joint.bodyA, joint.localAnchorA);
         constraint.anchorB = armOf(world, joint.bodyB, joint.localAnchorB);
         constraint.centerOffset = centerOffset(world, joint);
-        const std::uint32_t moving = world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA;
-        constraint.softness = jointSoftness(world, world.bodies[moving].effort, h, dt);
+        constraint.softness = jointSoftness(world, world.bodies[heldBodyOf(world, joint)].effort, h, dt);
         (*this)(constraint, part.def);
         if (std::is_same_v<typename Part::Constraint, MouseConstraint> || mayTear(world)) { ease(constraint, part); }
     }
@@ -320,8 +319,7 @@ void setOut(DistanceConstraint& constraint, const LimitMotion& motion, Real left
 }
 
 bool isIterated(const WorldState& world, const Joint& joint) {
-    const std::uint32_t moving = world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA;
-    return world.bodies[moving].effort.direct == DirectScope::none;
+    return world.bodies[heldBodyOf(world, joint)].effort.direct == DirectScope::none;
 }
 
 }  // namespace

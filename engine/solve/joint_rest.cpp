@@ -1,5 +1,7 @@
 #include "joint_rest.h"
 
+#include "../bodies/body_joints.h"
+
 #include <cmath>
 #include <variant>
 #include <vector>
@@ -81,7 +83,7 @@ bool isAmong(std::span<const std::uint32_t> sorted, std::uint32_t slot) {
 
 /// Lowest body of what the joint is part of.
 std::uint32_t chainOf(WorldState& world, const Joint& joint) {
-    return world.jointChains.finder.find(world.bodies[joint.bodyB].isDynamic() ? joint.bodyB : joint.bodyA);
+    return world.jointChains.finder.find(heldBodyOf(world, joint));
 }
 
 /// Forces of joints in the last step and weights, by member of all chains: blows are no loads at rest.

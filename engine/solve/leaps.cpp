@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../bodies/body_joints.h"
 #include "../bodies/body_mass.h"
 #include "../bodies/swap_places.h"
 #include "energy_calm.h"
@@ -58,10 +59,6 @@ private:
         return isTold && !account.isCalmed ? &leaps_[account.motion] : nullptr;
     }
 
-    std::uint32_t dynamicBodyOf(const JointTie& tie) const {
-        return world_.bodies[tie.bodyA].isDynamic() ? tie.bodyA : tie.bodyB;
-    }
-
     /// Those with joints.
     void listIslands() {
         for (const std::uint32_t root : group_.desk.energyRoots) { world_.energyAccounts[root].motion = kNoIndex; }
@@ -82,12 +79,11 @@ private:
 
     void addUp(double time) {
         const SolveDesk& desk = group_.desk;
-        for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-            if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-            Leap* const leap = leapOf(desk.bodies[i]);
-            if (leap == nullptr) { continue; }
+        forEachMoved(desk, [&](std::size_t i, std::uint32_t slot) {
+            Leap* const leap = leapOf(slot);
+            if (leap == nullptr) { return; }
             const EnergyEntry& entry = desk.energyEntries[i];
-            const Body& body = world_.bodies[desk.bodies[i]];
+            const Body& body = world_.bodies[slot];
             const double inertia = inertiaOf(body);
             const double turned = inertia * squared(static_cast<double>(entry.turned));
             leap->mass += body.mass;
@@ -96,45 +92,41 @@ private:
             leap->kinetic += entry.kinetic + entry.turningKinetic + entry.fall +
                              0.5 * (body.mass * squared(toDouble(entry.velocityBefore)) +
                                     inertia * squared(static_cast<double>(entry.spinBefore)));
-        }
+        });
     }
 
     void noteGaps(Real Leap::*gap) {
         for (const std::uint32_t i : group_.joints) {
-            Leap* const leap = leapOf(dynamicBodyOf(world_.jointTies[i]));
+            Leap* const leap = leapOf(dynamicBodyOf(world_, world_.jointTies[i]));
             if (leap != nullptr && leap->isFar()) { leap->*gap += gapOf(world_, world_.joints[i]); }
         }
     }
 
     void listBack() {
         const SolveDesk& desk = group_.desk;
-        for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-            if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-            const std::uint32_t slot = desk.bodies[i];
+        forEachMoved(desk, [&](std::size_t i, std::uint32_t slot) {
             const Leap* const leap = leapOf(slot);
-            if (leap == nullptr || !leap->isFar()) { continue; }
+            if (leap == nullptr || !leap->isFar()) { return; }
             const BodyMotion& motion = world_.motions[slot];
             const EnergyEntry& entry = desk.energyEntries[i];
             back_.push_back(
                 {slot, motion.center - toDouble(entry.moved), motion.angle - static_cast<double>(entry.turned)});
-        }
+        });
     }
 
     /// Those that stay back.
     void goOn(double time) {
         for (const std::uint32_t i : group_.joints) {
-            const Leap* const leap = leapOf(dynamicBodyOf(world_.jointTies[i]));
+            const Leap* const leap = leapOf(dynamicBodyOf(world_, world_.jointTies[i]));
             if (leap != nullptr && leap->isFar() && leap->opens()) { forgetStart(world_.joints[i]); }
         }
         const SolveDesk& desk = group_.desk;
-        for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
-            if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-            const std::uint32_t slot = desk.bodies[i];
+        forEachMoved(desk, [&](std::size_t, std::uint32_t slot) {
             const Leap* const leap = leapOf(slot);
-            if (leap == nullptr || !leap->isFar() || !leap->opens() || leap->isAnchored) { continue; }
+            if (leap == nullptr || !leap->isFar() || !leap->opens() || leap->isAnchored) { return; }
             world_.motions[slot].center += (time / leap->mass) * leap->momentum;
             updatePose(world_, slot);
-        }
+        });
     }
 
     WorldState& world_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../bodies/body_joints.h"
 #include "energy_gain.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -13,19 +14,10 @@ constexpr double kLentKept = 7.0 / 8;
 /// Of the kinetic energy that an island has after a solve, the most that closing joints may have given it.
 constexpr double kMostReturned = 1.0 / 2;
 
-bool moves(const WorldState& world, std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; }
-
 /// Several threads may ask at the same time.
 JointChain& chainOf(WorldState& world, std::uint32_t joint) {
-    const JointTie& tie = world.jointTies[joint];
-    const auto isMoved = [&world](std::uint32_t slot) { return moves(world, slot); };
-    std::uint32_t slot = isMoved(tie.bodyA) ? tie.bodyA : tie.bodyB;
-    if (!tie.isPair) {
-        const auto bodies = world.joints[joint].allBodies();
-        slot = *std::find_if(bodies.begin(), bodies.end(), isMoved);
-    }
     JointChains& chains = world.jointChains;
-    return chains.list[chains.places[chains.finder.rootOf(slot)]];
+    return chains.list[chains.places[chains.finder.rootOf(movingBodyOf(world, joint))]];
 }
 
 /// What it loses nothing gives back: friction, blows, damping.
@@ -73,7 +65,9 @@ void noteLentOfAll(WorldState& world, const SolveDesk& desk) {
 /// Of an island that advances by itself.
 void noteLentOfOne(WorldState& world, const TiedGroup& group) {
     const auto touches = [](const Contact& contact) { return !contact.sensor && contact.manifold.count > 0; };
-    const auto loses = [&world](std::uint32_t slot) { return moves(world, slot) && losesOtherwise(world, slot); };
+    const auto loses = [&world](std::uint32_t slot) {
+        return isAwakeDynamic(world, slot) && losesOtherwise(world, slot);
+    };
     const auto mayLend = [&world](std::uint32_t joint) {
         return chainOf(world, joint).mayLend && (world.drivenJoints.empty() || !isDriven(world, joint));
     };

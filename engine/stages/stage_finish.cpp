@@ -82,7 +82,7 @@ void countRests(WorldState& world, double dt) {
 }
 
 bool movesKinematically(const WorldState& world, std::uint32_t slot) {
-    if ((world.traits[slot] & kIsDynamic) != 0) { return false; }  // as mostly: no body is asked
+    if (isAwakeDynamic(world, slot)) { return false; }  // as mostly: no body is asked
     const BodyMotion& motion = world.motions[slot];
     return world.bodies[slot].def.type == BodyType::kinematic &&
            (motion.velocity != Vec2{} || motion.angularVelocity != 0);

@@ -3,6 +3,7 @@
 #include "../advance/first_try.h"
 #include "../advance/island_advance.h"
 #include "../advance/island_contacts.h"
+#include "../bodies/body_joints.h"
 #include "../contacts/candidates.h"
 #include "../containers/any_of.h"
 #include "../flight/bullet_start.h"
@@ -109,15 +110,6 @@ bool isSensor(const WorldState& world, const ContactProbe& probe) {
     return !probe.isPlain && world.contacts[probe.contact].sensor;
 }
 
-/// A body that a joint ties to its island: one that moves. All of those are in the same one.
-std::uint32_t memberOf(const WorldState& world, std::uint32_t joint) {
-    const JointTie& tie = world.jointTies[joint];
-    const auto moves = [&world](std::uint32_t slot) { return (world.traits[slot] & kIsDynamic) != 0; };
-    if (tie.isPair) { return moves(tie.bodyA) ? tie.bodyA : tie.bodyB; }
-    const auto bodies = world.joints[joint].allBodies();
-    return *std::find_if(bodies.begin(), bodies.end(), moves);
-}
-
 /// Probes per block, each of which one worker lists.
 constexpr std::size_t kFastProbesPerBlock = 1024;
 
@@ -157,7 +149,7 @@ void listFastJoints(WorldState& world) {
     FastIslands& fast = world.fastIslands;
     fast.joints.clear();
     for (const std::uint32_t i : world.activeJoints) {
-        const std::uint32_t number = fast.numbers[memberOf(world, i)];
+        const std::uint32_t number = fast.numbers[movingBodyOf(world, i)];
         if (number != kNoIndex) { fast.joints.add(number, i); }
     }
     fast.joints.sort(fast.clashes.size());

@@ -212,6 +212,10 @@ inline Real bounceThreshold(const WorldState& world, const Body& body, Real dt) 
     return dt * std::max(length(world.settings.gravity), length(accelerationOf(world, body)));
 }
 inline std::size_t awakeCount(const WorldState& world) { return world.awake.size() - world.awakeGaps; }
+/// Within a step, without a look at the body itself.
+inline bool isAwakeDynamic(const WorldState& world, std::uint32_t slot) {
+    return (world.traits[slot] & kIsDynamic) != 0;
+}
 /// Whether something that could move sleeps. (No joint holds what is held.)
 inline bool anyAsleep(const WorldState& world) {
     return awakeCount(world) + world.held.bodies + world.fixedBodies < world.bodies.size();
