@@ -10,7 +10,6 @@ void addUpImpulses(std::vector<ContactConstraint>& contacts) {
 
 bool mayBeJointed(const SolverBatch& batch) {
     bool isSound = mayBeJointed(batch.contacts.size(), batch.states.size());
-    for (const ContactConstraint& contact : batch.contacts) { isSound = isSound && !(contact.rolling > 0); }
     forEachHeldKind(batch, [&isSound](const auto& joints) {
         for (const auto& joint : joints) {
             isSound = isSound && joint.slotA != kFixedSlot && joint.slotB != kFixedSlot;

@@ -14,8 +14,8 @@ constexpr bool looksAtContacts(DirectScope scope) { return scope == DirectScope:
 bool needsContactsPrepared(const SolverBatch& batch, const SolverSettings& settings);
 /// Masses, and nothing added up yet.
 void prepareJoints(SolverBatch& batch);
-/// Whether contacts of a batch of rigid joints are few, and of a kind that scope `jointed` knows: what resists rolling
-/// is iterated as it is, and what joints tie to the ground contacts may contradict.
+/// Whether contacts of a batch of rigid joints are few enough for scope `jointed`, and none of these tied to the
+/// ground, where contacts may contradict them.
 bool mayBeJointed(const SolverBatch& batch);
 /// Around a direct solve, iteration must leave in place what that found: constraints that do not give.
 void makeContactsRigid(SolverBatch& batch, DirectScope scope);

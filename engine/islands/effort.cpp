@@ -152,7 +152,7 @@ DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps
     // Two that hold the same bodies work against each other, the more so the nearer they come to a toggle.
     const bool isDoubled = load.joints >= load.bodies && load.plainJoints == load.joints;
     // What joints tie to the ground contacts with the ground may contradict, and then both win by turns.
-    const bool mayAgree = isTouching && !load.isAnchored && !load.resistsRolling && !load.isContradicted;
+    const bool mayAgree = isTouching && !load.isAnchored && !load.isContradicted;
     if (mayAgree && mayBeJointed(load.contacts, load.bodies) && (isHopeless || isDoubled)) {
         return DirectScope::jointed;
     }
@@ -172,7 +172,7 @@ std::int8_t doublingsForWhips(const IslandLoad& load, int subSteps) {
     return doublings;
 }
 
-/// What resists rolling is a third row of a contact, which only iteration knows.
+/// What resists rolling is a third row of a contact, which a solve of all contacts does not know.
 DirectScope scopeForContacts(const IslandLoad& load, bool rests) {
     if (load.resistsRolling) { return DirectScope::none; }
     const bool isHigh = load.highest - load.lowest >= kHighStack * static_cast<double>(load.thinnest);

@@ -81,7 +81,6 @@ void JointedContacts::list(SolverBatch& batch, DirectSystem& system) {
             point.pile = piles_.find(a != kNoNode ? a : b);
             point.tieA = a != kNoNode ? system.islandOf(a) : kNoNode;
             point.tieB = b != kNoNode && system.islandOf(b) != point.tieA ? system.islandOf(b) : kNoNode;
-            point.answers = answers;
             for (const std::uint32_t tie : {point.tieA, point.tieB}) {
                 if (tie == kNoNode) { continue; }
                 point.nodes += ties_[tie].nodes;
@@ -92,55 +91,65 @@ void JointedContacts::list(SolverBatch& batch, DirectSystem& system) {
                 if (tie != kNoNode) { ties_[tie].rounds = point.round + 1; }
             }
             rounds_ = std::max(rounds_, point.round + 1);
-            point.heldNormal = normalRowOf(contact, *point.point, 0);
-            point.heldTangent = tangentRowOf(contact, *point.point);
-            point.normal = system.rowOf(batch.inertias, point.heldNormal);
-            point.tangent = system.rowOf(batch.inertias, point.heldTangent);
+            point.rows[kNormal].held = normalRowOf(contact, *point.point, 0);
+            point.rows[kNormal].held.impulse = &point.point->normalImpulse;
+            point.rows[kTangent].held = tangentRowOf(contact, *point.point);
+            point.rows[kTangent].held.impulse = &point.point->tangentImpulse;
+            point.rows[kRolling].held = {kSpinRow, contact.slotA, contact.slotB, 0, &contact.rollingImpulse};
+            point.rowCount = contact.rolling > 0 ? kRowKinds : kRolling;
+            for (Row& row : point.used()) {
+                row.row = system.rowOf(batch.inertias, row.held);
+                row.answers = std::exchange(answers, answers + point.nodes);
+            }
             points_.push_back(point);
-            answers += 2 * point.nodes;
         }
     }
     answers_.resize(answers);
     std::sort(points_.begin(), points_.end(), [](const Point& p, const Point& q) {
-        return p.pile != q.pile ? p.pile < q.pile : p.answers < q.answers;  // of a pile in the order of its contacts
+        // Of a pile in the order of its contacts.
+        return p.pile != q.pile ? p.pile < q.pile : p.rows[kNormal].answers < q.rows[kNormal].answers;
     });
 }
 
 /// Of each row while the joints hold. Ties do not answer to each other: a row of each is found at once.
 void JointedContacts::findAnswers(DirectSystem& system) {
     for (std::uint32_t round = 0; round < rounds_; ++round) {
-        for (const bool isTangent : {false, true}) {
+        for (const RowKind kind : {kNormal, kTangent, kRolling}) {
+            const auto isAsked = [&](const Point& point) { return point.round == round && kind < point.rowCount; };
+            if (std::none_of(points_.begin(), points_.end(), isAsked)) { continue; }
             system.beginChange();
             for (const Point& point : points_) {
-                if (point.round == round) { system.push(isTangent ? point.tangent : point.normal, 1); }
+                if (isAsked(point)) { system.push(point.rows[kind].row, 1); }
             }
             system.solve();
             for (Point& point : points_) {
-                if (point.round == round) { readAnswers(system, point, isTangent); }
+                if (isAsked(point)) { readAnswers(system, point, kind); }
             }
         }
     }
     answersOf_ = system.factorNumber();
 }
 
-void JointedContacts::readAnswers(const DirectSystem& system, Point& point, bool isTangent) {
+void JointedContacts::readAnswers(const DirectSystem& system, Point& point, RowKind kind) {
     const std::span<const Block3> change = system.change();
-    std::size_t place = point.answers + (isTangent ? point.nodes : 0);
+    const SystemRow& row = point.rows[kind].row;
+    std::size_t place = point.rows[kind].answers;
     forEachNode(point, [&](std::uint32_t node) { answers_[place++] = change[node]; });
-    const SystemRow& row = isTangent ? point.tangent : point.normal;
     double answer = 0;
     if (row.nodeA != kNoNode) { answer += dot3(row.ofA, change[row.nodeA]); }
     if (row.nodeB != kNoNode) { answer += dot3(row.ofB, change[row.nodeB]); }
-    double& mass = isTangent ? point.tangentMass : point.normalMass;
+    double& mass = point.rows[kind].mass;
     mass = inverseOf(answer);
     if (!isWithinTie(point)) { return; }
     const double ofTie = ties_[point.tieA].mass;
-    if (mass > kMostTieMasses * ofTie) { mass = 0; }
-    if (!isTangent) { point.pushShare = static_cast<Real>(std::min(1.0, kMostPushedMasses * ofTie / mass)); }
+    const double most = kind == kRolling ? static_cast<double>(point.contact->rollingMass) : ofTie;
+    if (mass > kMostTieMasses * most) { mass = 0; }
+    if (kind == kNormal) { point.pushShare = static_cast<Real>(std::min(1.0, kMostPushedMasses * ofTie / mass)); }
 }
 
 bool JointedContacts::isWithinTie(const Point& point) {
-    return point.normal.nodeA != kNoNode && point.normal.nodeB != kNoNode && point.tieB == kNoNode;
+    const SystemRow& row = point.rows[kNormal].row;
+    return row.nodeA != kNoNode && row.nodeB != kNoNode && point.tieB == kNoNode;
 }
 
 template <class Visit>
@@ -151,36 +160,48 @@ void JointedContacts::forEachNode(const Point& point, const Visit& visit) const 
     }
 }
 
-/// @param answers  of the row
-void JointedContacts::pushTies(DirectSystem& system, const Point& point, std::size_t answers, double impulse) const {
-    if (impulse == 0) { return; }
-    const std::span<Block3> change = system.change();
-    forEachNode(point, [&](std::uint32_t node) { addScaled(change[node], impulse, answers_[answers++]); });
+/// @param total  that its impulse becomes. @return how far it changed
+Real JointedContacts::change(DirectSystem& system, const Point& point, RowKind kind, Real total) const {
+    const Row& row = point.rows[kind];
+    const Real change = total - *row.held.impulse;
+    *row.held.impulse = total;
+    if (change == 0) { return 0; }
+    const std::span<Block3> changes = system.change();
+    std::size_t answers = row.answers;
+    forEachNode(
+        point, [&](std::uint32_t node) { addScaled(changes[node], static_cast<double>(change), answers_[answers++]); });
+    return std::fabs(change);
+}
+
+/// Friction of either kind. @return how far its impulse changed
+Real JointedContacts::hold(DirectSystem& system, const Point& point, RowKind kind, Real limit) const {
+    const Row& row = point.rows[kind];
+    const auto wanted = static_cast<Real>(-row.mass * system.changedExcess(row.row));
+    return change(system, point, kind, std::clamp(*row.held.impulse + wanted, -limit, limit));
 }
 
 /// As `solveContacts` does, one point after the other. @return how far its impulses changed
 Real JointedContacts::solvePoint(DirectSystem& system, Point& jointed, const ContactPass& pass) const {
     const ContactConstraint& contact = *jointed.contact;
     ContactConstraintPoint& point = *jointed.point;
+    const Row& normal = jointed.rows[kNormal];
     const bool isCarrying = point.normalImpulse > 0 || (contact.begins && otherCarries(contact, point));
-    const auto closing = static_cast<Real>(-system.changedExcess(jointed.normal));
-    const auto mass = static_cast<Real>(jointed.normalMass);
+    const auto closing = static_cast<Real>(-system.changedExcess(normal.row));
+    const auto mass = static_cast<Real>(normal.mass);
     const NormalDemand demand =
         demandOf(contact, point, mass, closing, 1 / pass.h, pass.useBias, isCarrying, jointed.pushShare);
-    const Real normalBefore = point.normalImpulse;
+    Real changed = 0;
     if (demand.any) {
-        const Real change = demand.changeAt(point, mass);
-        const Real wanted = jointed.normalMass > 0 ? normalBefore + change : Real(0);
-        point.normalImpulse = std::max(wanted, Real(0));
-        pushTies(system, jointed, jointed.answers, static_cast<double>(point.normalImpulse - normalBefore));
+        const Real wanted = normal.mass > 0 ? point.normalImpulse + demand.changeAt(point, mass) : Real(0);
+        changed = change(system, jointed, kNormal, std::max(wanted, Real(0)));
     }
-    const Real limit = contact.friction * point.normalImpulse;
-    const Real tangentBefore = point.tangentImpulse;
-    const auto change = static_cast<Real>(-jointed.tangentMass * system.changedExcess(jointed.tangent));
-    point.tangentImpulse = std::clamp(tangentBefore + change, -limit, limit);
-    pushTies(system, jointed, jointed.answers + jointed.nodes,
-             static_cast<double>(point.tangentImpulse - tangentBefore));
-    return std::max(std::fabs(point.normalImpulse - normalBefore), std::fabs(point.tangentImpulse - tangentBefore));
+    changed = std::max(changed, hold(system, jointed, kTangent, contact.friction * point.normalImpulse));
+    // An angular impulse, over the arm by which it is the share of what presses.
+    if (jointed.rowCount > kRolling) {
+        const Real turned = hold(system, jointed, kRolling, contact.rolling * point.normalImpulse);
+        changed = std::max(changed, turned / contact.rolling);
+    }
+    return changed;
 }
 
 /// Until hardly anything changes.
@@ -213,12 +234,12 @@ void JointedContacts::solve(SolverBatch& batch, DirectSystem& system, DirectJoin
     drives.takeUp(batch.states);
     for (Point& jointed : points_) {
         const ContactConstraint& contact = *jointed.contact;
-        jointed.normal.excess = DirectSystem::excessOf(batch.states, jointed.heldNormal);
-        jointed.tangent.excess = DirectSystem::excessOf(batch.states, jointed.heldTangent);
+        for (Row& row : jointed.used()) {
+            row.row.excess = DirectSystem::excessOf(batch.states, row.held);
+            row.before = *row.held.impulse;
+        }
         jointed.point->separation =
             currentSeparation(contact, *jointed.point, batch.states[contact.slotA], batch.states[contact.slotB]);
-        jointed.normalBefore = jointed.point->normalImpulse;
-        jointed.tangentBefore = jointed.point->tangentImpulse;
     }
     solvePiles(system, drives, pass);
     // Contacts were answered as if motors held whatever it takes.
@@ -226,8 +247,7 @@ void JointedContacts::solve(SolverBatch& batch, DirectSystem& system, DirectJoin
         DirectReport ofPass;
         drives.assemble(system, joints, ofPass);
         for (Point& jointed : points_) {
-            jointed.point->normalImpulse = jointed.normalBefore;
-            jointed.point->tangentImpulse = jointed.tangentBefore;
+            for (const Row& row : jointed.used()) { *row.held.impulse = row.before; }
         }
         solvePiles(system, drives, pass);
     }
@@ -241,7 +261,9 @@ void JointedContacts::solve(SolverBatch& batch, DirectSystem& system, DirectJoin
 }
 
 void JointedContacts::forget() {
-    for (const Point& jointed : points_) { jointed.point->normalImpulse = jointed.point->tangentImpulse = 0; }
+    for (Point& jointed : points_) {
+        for (const Row& row : jointed.used()) { *row.held.impulse = 0; }
+    }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

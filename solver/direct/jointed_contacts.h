@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -29,6 +30,14 @@ public:
     void forget();
 
 private:
+    struct Row {
+        DirectRow held;
+        SystemRow row;
+        double mass = 0;          ///< impulse per speed, 0 when nothing can move
+        Real before = 0;          ///< impulse before the pass
+        std::size_t answers = 0;  ///< of the nodes of its ties
+    };
+    enum RowKind : std::size_t { kNormal, kTangent, kRolling, kRowKinds };
     /// A point of a contact. A tie is named by its root, a pile by its own.
     struct Point {
         ContactConstraint* contact = nullptr;
@@ -38,16 +47,11 @@ private:
         std::uint32_t tieB = 0;   ///< `kNoNode` where it is that of A, too
         std::uint32_t round = 0;  ///< in which its answers are found
         std::size_t nodes = 0;    ///< of its ties
-        std::size_t answers = 0;  ///< of these nodes to the normal, and after them to the tangent
-        double normalMass = 0;    ///< impulse per speed, 0 when nothing can move
-        double tangentMass = 0;
-        Real pushShare = 1;     ///< of the speed at which an overlap is pushed out
-        Real normalBefore = 0;  ///< impulses before the pass
-        Real tangentBefore = 0;
-        DirectRow heldNormal;
-        DirectRow heldTangent;
-        SystemRow normal;
-        SystemRow tangent;
+        Real pushShare = 1;       ///< of the speed at which an overlap is pushed out
+        std::size_t rowCount = 0;
+        std::array<Row, kRowKinds> rows{};  ///< the last one of what resists rolling alone
+
+        std::span<Row> used() { return std::span(rows).first(rowCount); }
     };
     /// Nodes that joints tie together, or one that none does.
     struct Tie {
@@ -59,11 +63,12 @@ private:
 
     void listTies(const SolverBatch& batch, DirectSystem& system);
     void findAnswers(DirectSystem& system);
-    void readAnswers(const DirectSystem& system, Point& point, bool isTangent);
+    void readAnswers(const DirectSystem& system, Point& point, RowKind kind);
     static bool isWithinTie(const Point& point);
     template <class Visit>
     void forEachNode(const Point& point, const Visit& visit) const;
-    void pushTies(DirectSystem& system, const Point& point, std::size_t answers, double impulse) const;
+    Real change(DirectSystem& system, const Point& point, RowKind kind, Real total) const;
+    Real hold(DirectSystem& system, const Point& point, RowKind kind, Real limit) const;
     Real solvePoint(DirectSystem& system, Point& point, const ContactPass& pass) const;
     void solvePile(DirectSystem& system, std::span<Point> points, const ContactPass& pass) const;
     void solvePiles(DirectSystem& system, const DirectDrives& drives, const ContactPass& pass);

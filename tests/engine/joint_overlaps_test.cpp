@@ -318,5 +318,39 @@ TEST(JointOverlaps, OfOneBodyOnTwoHingesThatDoNotAgreeComesToRest) {
     expectAtMost("speed", length(velocityOf(world, body)), 0.1);
 }
 
+/// Three crates of 0.7 m made 0.5 m apart, each on a joint that hardly holds it: they are pushed apart. (What pushed
+/// them was taken for joints that feed on each other, and was undone in each step: they slept where they were.)
+TEST(JointOverlaps, OfCratesThatAreBrakedArePushedOut) {
+    for (const Profile profile : kProfiles) {
+        for (const bool isWeld : {false, true}) {
+            World world = makeWorld(awakeSettings(profile, 0));
+            const BodyId level = must(world.createBody({}));
+            std::vector<BodyId> crates;
+            for (int i = 0; i < 3; ++i) {
+                const DVec2 place{0.5 * i, 0};
+                crates.push_back(addBody(world, dynamicAt(place), box(0.35, 0.35), material(0.6)));
+                JointDef base = between(level, crates.back());
+                base.collideConnected = true;
+                if (isWeld) {
+                    WeldJointDef weld{.base = base, .anchor = place};
+                    weld.linearSpring = Spring{.hertz = real(0.1), .dampingRatio = 1};
+                    must(world.createJoint(weld));
+                } else {
+                    MotorJointDef brake{.base = base};
+                    brake.drive.linearVelocity = Vec2{};
+                    brake.drive.angularVelocity = Real(0);
+                    brake.drive.maxForce = brake.drive.maxTorque = real(0.01);
+                    must(world.createJoint(brake));
+                }
+            }
+            run(world, 180);
+            for (std::size_t i = 1; i < crates.size(); ++i) {
+                const double apart = world.position(crates[i]).x - world.position(crates[i - 1]).x;
+                expectAtMost(profileName(profile) + (isWeld ? ", welded" : ", braked"), 0.7 - apart, 0.01);
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test

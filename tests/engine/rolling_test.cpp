@@ -292,31 +292,6 @@ TEST(Rolling, SlowsDownAHeavyBallOnALightPlank) {
     }
 }
 
-/// A cart on two wheels: the joints are solved by themselves, contacts by turns with them.
-TEST(Rolling, SlowsDownACart) {
-    for (const Profile profile : kProfiles) {
-        World world = rollingWorld(profile);
-        addStatic(world, box(100, 1), material(1), {0, -1});
-        const BodyId chassis = addBody(world, dynamicAt({0, 0.8}, vec(3, 0)), box(1, 0.2));
-        double carried = world.mass(chassis);
-        double moved = carried;
-        for (const double x : {-0.8, 0.8}) {
-            const BodyId wheel = addRolling(world, {x, kRollRadius}, 3, rough(0.08));
-            RevoluteJointDef hinge;
-            hinge.base.bodyA = chassis;
-            hinge.base.bodyB = wheel;
-            hinge.anchor = {x, kRollRadius};
-            must(world.createJoint(hinge));
-            carried += world.mass(wheel);
-            moved += world.mass(wheel) + world.inertia(wheel) / (kRollRadius * kRollRadius);
-        }
-        runFor(world, 2);
-        const double brake = 0.08 * kGravity * carried / moved;
-        expectAtMost(profileName(profile) + ", lost", std::abs((3 - velocityOf(world, chassis).x) / (2 * brake) - 1),
-                     0.01);
-    }
-}
-
 /// A belt turns a disk where it lies, which resists that, and so is carried along at last without turning.
 TEST(Rolling, IsCarriedByABelt) {
     for (const Profile profile : kProfiles) {
