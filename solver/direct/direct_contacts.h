@@ -85,6 +85,7 @@ private:
         bool isLong = false;         ///< that took more rounds than usual
         bool isInVain = false;       ///< in one of the step: nothing was found
         bool isFar = false;          ///< some separation is too large
+        double mostMoved = 0;        ///< metres that a projection may move a body
     };
 
     void orderByPart(const SolverBatch& batch, const DirectSystem& system);
@@ -96,12 +97,13 @@ private:
     std::span<const Point> pointsOf(const Part& part) const {
         return std::span(points_).subspan(part.begin, part.end - part.begin);
     }
+    static void limitMoves(const Part& part, DirectSystem& system);
     /// What is done about overlaps and gaps.
     struct Projection {
         Real rate = 0;      ///< part of them that is closed
         Real smallest = 0;  ///< ratio, see `toleranceAt`: what is smaller may stay
     };
-    bool gatherOverlapsOf(const Part& part, const SolverBatch& batch, const DirectSystem& system,
+    bool gatherOverlapsOf(Part& part, const SolverBatch& batch, const DirectSystem& system,
                           const Projection& projection, Real h);
 
     // direct_search.cpp

@@ -307,5 +307,24 @@ TEST(Webs, StirredHeapsNeedFewerSubSteps) {
     expectAtMost("stirred pyramid-16 overlap", deepestOverlap(s.world), 1e-4);
 }
 
+/// So many discs of 1 m that each has 19/22 m of a room, which gravity does not pull at: they cannot but stay in each
+/// other, evenly, and at rest. (Some were pushed into others in one step, and stayed 0.95 m deep in them, awake.)
+TEST(Webs, OfTooManyDiscsInARoomShareIt) {
+    constexpr int kAcross = 22;
+    WorldSettings settings;
+    World world = makeWorld(settings);
+    for (const double x : {-10.5, 10.5}) { addStatic(world, box(0.5, 11), material(0.6), {x, 10.25}); }
+    for (const double y : {0.0, 20.5}) { addStatic(world, box(11, 0.5), material(0.6), {0, y}); }
+    std::vector<BodyId> discs;
+    for (int i = 0; i < kAcross * kAcross; ++i) {
+        BodyDef def = dynamicAt({-8.75 + 18.0 * (i % kAcross) / kAcross, 1.5 + 18.0 * (i / kAcross) / kAcross});
+        def.gravityScale = 0;
+        discs.push_back(addBody(world, def, circle(0.5), material(0.6)));
+    }
+    run(world, 180);
+    expectAtMost("overlap", deepestOverlap(world), 2 * (1 - 19.0 / kAcross));
+    for (const BodyId disc : discs) { EXPECT_FALSE(world.isAwake(disc)); }
+}
+
 }  // namespace
 }  // namespace swept::test
