@@ -8,7 +8,7 @@
 namespace swept {
 
 enum class ContactEventType : std::uint8_t {
-    begin,  ///< two shapes touch, as the step began, that did not before
+    begin,  ///< two shapes touched as the step began, and did not before
     end,    ///< they touch no longer, or one of them is gone
     /// An impact faster than gravity could make it within a step (of any speed where there is none), or one that
     /// bounced; told at its time. Shapes that touch already tell one when they meet at another point, faster than the

@@ -32,10 +32,10 @@ namespace swept::inline SWEPT_PRECISION {
 /// A joint need not be made where it holds. Its `anchor` is a point of A and B, or of A alone: then `anchorB` is the
 /// point of B that belongs there. Its angle, from which limits, springs and drives count, is 0 where it is made, or
 /// where B is turned by `referenceAngle` more than A. So bodies may begin anywhere on the way that a joint leaves them,
-/// such as a door half open. What is apart is drawn together within some steps, which leaves no speed. Whole turns
-/// between the bodies and where a joint holds or drives them, or its nearest limit, do not count as it is made, or
-/// comes into the world: they are not turned back. From then on all turns count, and where nothing holds the angle: a
-/// target that goes on from π to −π takes B a turn back.
+/// such as a door half open. What is apart is drawn together within some steps, which leaves no speed. Where a joint
+/// is made, or its bodies are enabled again, its angle is taken to within half a turn of where it holds or drives them,
+/// or of its nearest limit: whole turns are not wound back. From then on every turn counts: a target that goes on from
+/// π to −π takes B a turn back.
 struct JointDef {
     BodyId bodyA{};
     BodyId bodyB{};
@@ -49,9 +49,9 @@ struct JointDef {
 /// Undamped it keeps its amplitude while a sub-step is less than 1/25 of its period; what is stiffer is damped by as
 /// much as a stable step needs. Its stiffness is the one with which it swings at `hertz` at the poses that the bodies
 /// have when the joint is made (with a `referenceAngle`: with B turned to there), with the masses that they have now:
-/// it does not change as they turn. Two kinds have their hertz at any pose instead, so that theirs changes: of a mouse
-/// joint; and of an angle between two dynamic bodies whose anchors are held together (a hinge; a weld without a linear
-/// spring).
+/// it does not change as they turn. Two kinds swing at `hertz` at every pose instead, so that their stiffness varies:
+/// that of a mouse joint; and that of an angle between two dynamic bodies whose anchors are held together (a hinge; a
+/// weld without a linear spring).
 struct Spring {
     Real hertz = 0;         ///< greater than 0; of the two bodies alone, held by nothing but this joint
     Real dampingRatio = 0;  ///< at least 0; 1 is critical

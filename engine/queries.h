@@ -60,7 +60,7 @@ struct ContactView {
     DVec2 point{};        ///< world, half way between the two surfaces
     Vec2 normal{};        ///< unit, from A to B
     Real separation = 0;  ///< metres along the normal; negative where they overlap
-    Real impulse = 0;     ///< normal impulse of the last step, N·s; of bodies at rest of their last one, however long
+    Real impulse = 0;  ///< along the normal, N·s: of the last step, or of the last one that solved it, before it slept
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

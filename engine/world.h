@@ -54,8 +54,8 @@ public:
     World(const World& other);
     World& operator=(const World& other);
     /// A snapshot as bytes, for files and other machines: all that a copy has, with the user data. They are read by
-    /// libraries of the same precision whose worlds have the same members, mostly those of the same version, whatever
-    /// compiler, machine and threads they are for. Copies have equal bytes. So have worlds that the same calls lead to,
+    /// builds of the same precision and the same members of a world, in practice the same version, whatever compiler,
+    /// machine and threads they are for. Copies have equal bytes. So have worlds that the same calls lead to,
     /// unless they measure their stages' times, or differ in threads or vector instructions: these change what a step
     /// knows already, but not what it does. (`stateHash` tells whether two machines agree.)
     std::vector<std::uint8_t> save() const;
@@ -67,7 +67,7 @@ public:
     /// can make some that look whole.
     Status load(std::span<const std::uint8_t> bytes);
 
-    /// Replaces all settings. Another gravity wakes all that fell asleep, and so does it to forbid sleep.
+    /// Replaces all settings. Another gravity wakes all that fell asleep; so does `sleep` where it is turned off.
     /// Errors: `notFinite`, `outOfRange`, `negative`, `notPositive` with the name of the member; `notNow` with
     /// "broadphase" when another one is asked for while the world has shapes.
     Status configure(const WorldSettings& settings);
@@ -178,13 +178,14 @@ public:
     /// A chain of one-sided segments, on static and kinematic bodies; one id for all of it. Solid on the left of its
     /// direction: ground is listed from right to left, a counter-clockwise loop is solid inside (to queries it is not:
     /// they see its segments). What comes from the left passes: a level one is a platform to jump onto from below.
-    /// Whoever turns back half way falls through it again: a shape that came through is held once all of it is on the
-    /// right. Where it goes on as another chain (of the same body, or both fixed), `neighbours` are the next points
+    /// A shape that comes through is held once all of it is on the right; what turns back before that falls out again.
+    /// Where it goes on as another chain (of the same body, or both fixed), `neighbours` are the next points
     /// there, in the frame of this one's body: nothing catches on where they meet, and the end stops nothing that comes
     /// from beside.
     /// Errors: `wrongBodyType` of dynamic bodies; with "points" `tooFewVertices` (fewer than 2, of a loop 3) and
-    /// `degenerate` (two neighbours are equal); `negative` (radius); with "before" and "after" `degenerate` (equal to
-    /// that end) and `outOfRange` (of a loop); of `def` as of addShape.
+    /// `degenerate` (two neighbours are equal, as where a loop repeats its first point: it closes by itself);
+    /// `negative` (radius); with "before" and "after" `degenerate` (equal to that end) and `outOfRange` (of a loop); of
+    /// `def` as of addShape.
     Result<ShapeId> addChain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def = {},
                              Real radius = 0, const ChainNeighbours& neighbours = {});
     /// Likewise, by name, and with a surface for each segment. Errors: also `outOfRange` with "surfaces" where there
@@ -197,10 +198,10 @@ public:
     /// Of a chain with the surface of its first segment.
     ShapeDef definition(ShapeId id) const;
     /// Another surface, density, filter, … of the same geometry. Wakes the body, unless `userData` alone is another,
-    /// and, with another surface or filter, what it touches; with another filter, or as a sensor or none, its contacts
-    /// end, and those that it has then begin. Where there is a contact filter, another `userData` counts as another
-    /// filter. The segments of a chain keep surfaces of their own unless `def` has another surface than `definition`
-    /// tells: then all have that. Errors: of `def` as of addShape.
+    /// and, with another surface or filter, what it touches. With another filter, or another `sensor`, all its contacts
+    /// end, and those that it may have now begin in the next step. Where there is a contact filter, another `userData`
+    /// counts as another filter. The segments of a chain keep surfaces of their own unless `def` has another surface
+    /// than `definition` tells: then all have that. Errors: of `def` as of addShape.
     Status redefine(ShapeId id, const ShapeDef& def);
     /// Segments of a chain, in the order of its points: what has a `segment` names one of them, from 0. Of other shapes
     /// 1, of a stale id 0.
@@ -253,9 +254,9 @@ public:
     DVec2 anchorA(JointId id) const;  ///< where on A it holds now, world; of a mouse joint its target
     DVec2 anchorB(JointId id) const;
     // Setters of one part wake the bodies of the joint. Errors: `wrongJointType` where the joint has no such part; else
-    // as of createJoint. Limits, and lengths of rods, that are moved before each step go there within it, at the lesser
-    // of the speeds of this step and the one before, and what they hold goes along and keeps that speed when they stop.
-    // What is moved for a single step, or by more than the bodies are wide, draws them there and gives them no speed.
+    // as of createJoint. Limits, and lengths of rods, that are set anew before every step move on smoothly within each:
+    // what they hold goes along, and gets their speed, of this step or the one before, whichever is less. What is set
+    // for a single step, or moved by more than the bodies are wide, draws them there and gives them no speed.
     Status setAngularMotor(JointId id, std::optional<AngularMotor> motor);             ///< revolute, wheel
     Status setLinearMotor(JointId id, std::optional<LinearMotor> motor);               ///< prismatic
     Status setAngleLimits(JointId id, std::optional<AngleLimits> limits);              ///< revolute
@@ -300,12 +301,12 @@ public:
     void castRayAll(DVec2 origin, Vec2 translation, const QueryFilter& filter,
                     FunctionRef<Real(const CastHit&)> visit) const;
     /// First shape that a polygon meets when it is carried along `translation` without turning. It is stopped about
-    /// 1/1024 of the smaller shape's extent before it touches. What is that near at the start, or overlaps by up to 1/8
-    /// of that extent, as contacts may let it, stops it at once, with its normal, only if the way leads into it,
-    /// against that normal; else the cast starts just off it, so that a character may look ahead from where it stands,
-    /// over seams of its ground as well. So it is free along what stopped it: a way without the part into the normal
-    /// passes, though beside a sharp corner only the next such way may. What overlaps deeper stops it at once, whatever
-    /// the way, without a normal: `CastHit::wayOut` leads out.
+    /// 1/1024 of the smaller shape's extent before it touches. What it is in contact with at the start (as near as
+    /// that, or overlapping by up to 1/8 of that extent) stops it at fraction 0 if the way leads against the normal of
+    /// that contact, and is passed over otherwise: a character may look ahead from where it stands, over seams of its
+    /// ground as well. So it is free along what stopped it: a way without the part into the normal passes, though
+    /// beside a sharp corner only the next such way may. What overlaps deeper stops it at fraction 0, whatever the way,
+    /// without a normal: `CastHit::wayOut` leads out.
     CastHit castShape(const Polygon& polygon, const WorldTransform& pose, Vec2 translation,
                       const QueryFilter& filter = {}) const;
     /// Calls `visit` with where each shape is met, as by castShape, and in the manner of castRayAll.

@@ -36,8 +36,7 @@ struct WorldSettings {
     /// like.
     Real maxPenetration = std::numeric_limits<Real>::infinity();  ///< metres, at least 0
     Real maxJointError = std::numeric_limits<Real>::infinity();   ///< metres, at least 0
-    /// Seconds that a body may lose in all, at least 0: impacts beyond `maxImpacts` are resolved, up to 16 times as
-    /// many, when it would lose more.
+    /// Seconds that a body may lose in all, at least 0: one that would lose more gets up to 16 times `maxImpacts`.
     double maxLostTime = std::numeric_limits<double>::infinity();
     /// Metres, greater than 0; else a quarter of the target, which is 2⁻¹⁰ of the pair's extent.
     std::optional<Real> toiTolerance{};

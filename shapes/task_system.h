@@ -25,9 +25,9 @@ public:
 
     /// Seconds, roughly, that `run` costs and takes until other threads work: a step that is short in comparison stays
     /// on its thread. A step has hundreds of loops, most of them a few microseconds long; so a world asks for one range
-    /// per worker, once a step, and its workers go through all loops together (engine/crew/crew.h). Unless it is 0:
-    /// then other threads wait for the next loop already, and each is handed over as it is. Below `kAtOnce` everything
-    /// is shared, however small: so that tests of small worlds see it.
+    /// per worker, once a step, and its workers go through all loops together (engine/crew/crew.h). 0 means
+    /// that other threads wait for loops already: then each loop is handed to `run` as it is. Below `kAtOnce`
+    /// everything is shared, however small: so that tests of small worlds see it.
     virtual double startSeconds() const { return 1e-4; }
 };
 

@@ -320,7 +320,8 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     if (move_ == nullptr) { move_ = moveBodies; }
     SolveReport report{.colours = static_cast<int>(graph_.activeColours().size())};
     direct_.setLeastClosing(settings.leastClosing);
-    report.isDirect = settings.direct != DirectScope::none && direct_.prepare(batch, settings.direct, settings.patient);
+    report.isDirect =
+        settings.direct != DirectScope::none && direct_.prepare(batch, settings.direct, settings.hasManyBodies);
     areJointed_ = report.isDirect && settings.direct == DirectScope::jointed;
     if (report.isDirect) {
         makeContactsRigid(batch, settings.direct);

@@ -36,14 +36,13 @@ struct SolverSettings {
     bool bouncesInTurn = false;
     bool coarseImpacts = false;  ///< bounces in large piles are gone through a few times only, see `ImpactRule`
     bool wide = true;            ///< contacts in blocks where kernels are there; false: one by one, with the same bits
-    /// What is solved all at once (`DirectSolver`), where that pays. Unless it is none, the drives of the batch are
-    /// then those of half a sub-step: one half before its motion and one after; both before it, where joints are solved
-    /// so and take turns with contacts.
+    /// What is solved all at once (`DirectSolver`), where that pays. Unless it is none, drives are halved: one half
+    /// acts before the motion of a sub-step and one after it, or both before it, where joints take turns with contacts.
     DirectScope direct = DirectScope::none;
     /// Joints that are solved so close their errors within so long, s, at least: what shorter sub-steps leave of that
     /// speed would be energy. 0: within a sub-step.
     Real leastClosing = 0;
-    bool patient = false;  ///< of what is solved all at once: many bodies, more rounds
+    bool hasManyBodies = false;  ///< of what is solved all at once: it gets more rounds
     /// All is at rest, with the right impulses: contacts hold what they have, without springs, in one sub-step.
     /// @pre no joints, nothing is solved all at once; separations are found, 0 where a point presses
     bool settled = false;

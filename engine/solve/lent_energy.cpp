@@ -94,7 +94,7 @@ std::uint64_t mixed(JointId id) {
 }  // namespace
 
 void noteLent(WorldState& world, const TiedGroup& group) {
-    if (group.desk.isExact) { return; }  // exactly: these open no joints
+    if (group.desk.isExact) { return; }  // what is solved exactly opens no joints
     if (group.role == BodyRole::solved) {
         noteLentOfAll(world, group.desk);
     } else {

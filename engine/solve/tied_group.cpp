@@ -109,7 +109,7 @@ SolverSettings settingsOf(const WorldState& world, const TiedGroup& group, const
             .coarseImpacts = isFast,
             .direct = plan.scope,
             .leastClosing = leastClosingOf(world, group, plan.part),
-            .patient = group.effort.isLarge,
+            .hasManyBodies = group.effort.isLarge,
             .settled = group.effort.isSettled};
 }
 

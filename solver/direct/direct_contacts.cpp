@@ -23,7 +23,7 @@ int spareRoundsFor(std::size_t bodies) {
 
 /// Among so many bodies, whose contacts close loops, a search that is disturbed takes tens of rounds, each with a
 /// factor, and what follows counts: what was found is kept (`beginSecondHalf`, `tighten`), what carries nothing has a
-/// known limit of friction (`gatherOf`), and few rows that changed ask for no new factor (`mayUseFactor`). Fewer bodies
+/// known limit of friction (`gatherOf`), and few rows that changed ask for no new factor (`takeUpFactor`). Fewer bodies
 /// find their way at once.
 constexpr std::size_t kFewestOfWide = 129;
 

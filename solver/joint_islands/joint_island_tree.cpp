@@ -38,11 +38,6 @@ Block3 solveBlock(const Block33& m, Block3 v) {
     return v;
 }
 
-double dotOf(const Block3& a, const Block3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-void add(Block3& v, double factor, const Block3& a) {
-    for (std::size_t i = 0; i < 3; ++i) { v[i] += factor * a[i]; }
-}
-
 }  // namespace
 
 /// The rows of a branch: how impulses act, and how gaps change, of its body and of its parent.
@@ -154,7 +149,7 @@ void JointIsland::factoriseTree() {
         for (std::size_t k = 0; k < rows.count; ++k) {
             const Block3 given = solveBlock(own, rows.each[k].pushes);
             for (std::size_t i = 0; i < rows.count; ++i) {
-                branch.response[3 * i + k] = dotOf(rows.each[i].moves, given);
+                branch.response[3 * i + k] = dot3(rows.each[i].moves, given);
             }
             double& itself = branch.response[3 * k + k];
             itself += rows.each[k].yields;
@@ -186,12 +181,12 @@ void JointIsland::solveTree(double time) {
         const Block3 change = solveBlock(inertias_[branch.body], own);
         branch.lack = {};
         for (std::size_t k = 0; k < rows.count; ++k) {
-            branch.lack[k] = -rows.each[k].excess - dotOf(rows.each[k].moves, change);
+            branch.lack[k] = -rows.each[k].excess - dot3(rows.each[k].moves, change);
         }
         if (branch.parent == kNone) { continue; }
         const Block3 impulses = solveBlock(branch.response, branch.lack);
         Block3& next = change_[bodies_[branch.parent].column];
-        for (std::size_t k = 0; k < rows.count; ++k) { add(next, impulses[k], rows.each[k].pushesParent); }
+        for (std::size_t k = 0; k < rows.count; ++k) { addScaled(next, impulses[k], rows.each[k].pushesParent); }
     }
     double fastest = 0;
     for (IslandBranch& branch : branches_) {
@@ -200,12 +195,10 @@ void JointIsland::solveTree(double time) {
         gatherBranch(branch, rows);
         if (branch.parent != kNone) {
             const Block3& ofParent = change_[bodies_[branch.parent].column];
-            for (std::size_t k = 0; k < rows.count; ++k) {
-                branch.lack[k] -= dotOf(rows.each[k].movesParent, ofParent);
-            }
+            for (std::size_t k = 0; k < rows.count; ++k) { branch.lack[k] -= dot3(rows.each[k].movesParent, ofParent); }
         }
         branch.lack = solveBlock(branch.response, branch.lack);
-        for (std::size_t k = 0; k < rows.count; ++k) { add(change, branch.lack[k], rows.each[k].pushes); }
+        for (std::size_t k = 0; k < rows.count; ++k) { addScaled(change, branch.lack[k], rows.each[k].pushes); }
         change = solveBlock(inertias_[branch.body], change);
         if (body.inverseInertia > 0) { fastest = std::max(fastest, std::fabs(change[2])); }
     }

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <vector>
 
+#include "../../shapes/vec2.h"
 #include "../direct/direct_parts.h"
 #include "../direct/direct_rows.h"
 
@@ -19,9 +20,6 @@ constexpr std::size_t kIslandGrain = 1;
 /// speed, and that of a step's fall; a taut bridge pulls with some times that.
 constexpr double kMostOfMomentum = 64;
 
-DVec2 toDoubles(Vec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
-Vec2 toReals(DVec2 v) { return {static_cast<Real>(v.x), static_cast<Real>(v.y)}; }
-
 IslandBody bodyAt(const SolverBatch& batch, BodySlot slot) {
     const BodyState& state = batch.states[slot];
     const BodyInertia& inertia = batch.inertias[slot];
@@ -29,10 +27,10 @@ IslandBody bodyAt(const SolverBatch& batch, BodySlot slot) {
     body.slot = slot;
     body.inverseMass = static_cast<double>(inertia.inverseMass);
     body.inverseInertia = static_cast<double>(inertia.inverseInertia);
-    body.velocity = toDoubles(state.velocity);
+    body.velocity = toDouble(state.velocity);
     body.spin = static_cast<double>(state.angularVelocity);
     const BodyDrive& drive = batch.drives[slot];
-    body.gain = toDoubles(drive.gain);
+    body.gain = toDouble(drive.gain);
     body.angularGain = static_cast<double>(drive.angularGain);
     body.decay = static_cast<double>(drive.decay);
     body.angularDecay = static_cast<double>(drive.angularDecay);
@@ -63,7 +61,7 @@ VoidBounds voidBoundsOf(JointIsland& island, const SolverBatch& batch, int subSt
         const double own = body.inverseInertia > 0 ? std::sqrt(body.inverseMass / body.inverseInertia) : 0;
         mass += 1 / body.inverseMass;
         speed = std::max({speed, length(body.velocity), own * std::fabs(body.spin)});
-        fall = std::max(fall, 2 * subSteps * length(toDoubles(batch.drives[body.slot].gain)));
+        fall = std::max(fall, 2 * subSteps * length(toDouble(batch.drives[body.slot].gain)));
         arm = std::max(arm, own);
     }
     for (const IslandHold& hold : island.holds()) {
@@ -101,7 +99,7 @@ public:
     void operator()(RevoluteConstraint& joint) { addPoint(joint, joint.linearImpulse); }
     void operator()(DistanceConstraint& joint) {
         IslandHold& hold = add(joint, IslandHold::Kind::rod, joint.rigidImpulse);
-        hold.axis = toDoubles(joint.axis);
+        hold.axis = toDouble(joint.axis);
         hold.rest = hold.begun = static_cast<double>(joint.length);
         if (!joint.isGliding) { return; }
         // What it goes farther than by its pace is a gap, which is closed over all of the step.
@@ -130,9 +128,9 @@ private:
         hold.kind = kind;
         hold.a = islands_.bodyOf(batch_, number, joint.slotA);
         hold.b = islands_.bodyOf(batch_, number, joint.slotB);
-        hold.anchorA = toDoubles(joint.anchorA);
-        hold.anchorB = toDoubles(joint.anchorB);
-        hold.offset = toDoubles(joint.centerOffset);
+        hold.anchorA = toDouble(joint.anchorA);
+        hold.anchorB = toDouble(joint.anchorB);
+        hold.offset = toDouble(joint.centerOffset);
         hold.rate = static_cast<double>(joint.softness.biasRate);
         hold.rows[0].force = static_cast<double>(impulse) / static_cast<double>(h_);
         const auto place = static_cast<std::uint32_t>(island.holds().size());
@@ -150,7 +148,7 @@ private:
     }
     template <class Joint>
     void addSide(Joint& joint, Real& impulse) {
-        add(joint, IslandHold::Kind::side, impulse).axis = toDoubles(joint.axis);
+        add(joint, IslandHold::Kind::side, impulse).axis = toDouble(joint.axis);
     }
     template <class Joint>
     void addAngle(Joint& joint, Real& impulse) {
@@ -211,9 +209,9 @@ void JointIslands::readBack(SolverBatch& batch, int subSteps) {
         for (const IslandBody& body : parts_[i].bodies()) {
             if (body.column == kNoNode) { continue; }
             BodyState& state = batch.states[body.slot];
-            state.velocity = toReals(body.velocity);
+            state.velocity = toReal(body.velocity);
             state.angularVelocity = static_cast<Real>(body.spin);
-            state.deltaPosition = toReals(body.place.position);
+            state.deltaPosition = toReal(body.place.position);
             state.deltaAngle = static_cast<Real>(body.place.angle);
             state.deltaRotation = rotationFromAngle(static_cast<double>(state.deltaAngle));
         }
@@ -223,7 +221,7 @@ void JointIslands::readBack(SolverBatch& batch, int subSteps) {
         for (std::size_t i = 0; i < hold.count; ++i) {
             *source.impulses[i] = static_cast<Real>(hold.rows[i].total / subSteps);
         }
-        source.total->impulse += toReals(hold.reaction);
+        source.total->impulse += toReal(hold.reaction);
         source.total->twist += static_cast<Real>(hold.twist);
     }
 }
