@@ -87,7 +87,6 @@ struct PartSetter {
         };
         if (joint.length == 0) { setLength(); }  // before a spring comes: with one it must not be 0
         setSpring(before, now);
-        if (!now.limits) { setLength(); }  // before limits go: without them it must not be 0
         if (now.limits != before.limits) { (void)face.setLengthLimits(id, now.limits); }
         setLength();
         return false;

@@ -20,9 +20,6 @@ namespace {
 constexpr std::size_t kMostRows = 12;
 /// Of its own answer: a row that is left with less is held by those before it.
 constexpr double kHeldAlready = 1e-6;
-/// What leaves this part of the free answer is no hold: rods stand as they did when the step began, and are known less
-/// well than that (balls of a cradle, which meet where their rods hang straight).
-constexpr double kFreely = 0.99;
 /// How near to its limit a joint is at it: of a radian, or of the extent of a body.
 constexpr Real kAtLimit = Real(1) / 256;
 
@@ -187,10 +184,6 @@ Moved HeldBody::movedBy(const HeldRow& blow) const {
 /// back by its whole approach with the little that they leave, it would gain energy without end.
 constexpr Real kMostAstray = Real(1) / 4;
 
-double speedAlong(const HeldRow& row, const Moved& moved) {
-    return dot(row.along, moved.velocity) + row.turn * moved.spin;
-}
-
 }  // namespace
 
 bool isHeldByGround(const WorldState& world, std::uint32_t slot) {
@@ -210,7 +203,6 @@ BlowAnswer answerOf(const WorldState& world, std::uint32_t body, Vec2 arm, Vec2 
     const HeldRow normal{toDouble(direction), cross(toDouble(arm), toDouble(direction))};
     held.addLimits(normal);
     if (!held.isHeld()) { return {}; }
-    if (speedAlong(normal, held.movedBy(normal)) >= kFreely * held.answer(normal, normal)) { return {}; }
     const Moved byX = held.movedBy({{1, 0}, 0});
     const Moved byY = held.movedBy({{0, 1}, 0});
     const Moved byTwist = held.movedBy({{}, 1});
