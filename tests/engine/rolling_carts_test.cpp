@@ -40,7 +40,7 @@ RollingCart addCart(World& world, double speed, double density) {
 }
 
 /// A cart on two wheels: contacts are iterated with its joints, or, where it is heavy, on what these answer.
-TEST(Rolling, SlowsDownACart) {
+TEST(RollingCarts, SlowsDownACart) {
     for (const Profile profile : kProfiles) {
         for (const double density : {1.0, 200.0}) {
             World world = makeWorld(profile);
@@ -54,7 +54,7 @@ TEST(Rolling, SlowsDownACart) {
 }
 
 /// (It trembled for ever, at up to 0.18 m/s: the joints and contacts of what resists rolling took turns.)
-TEST(Rolling, LetsAHeavyCartComeToRest) {
+TEST(RollingCarts, LetsAHeavyCartComeToRest) {
     for (const double density : {10.0, 100.0, 1000.0, 4000.0}) {
         WorldSettings settings;
         settings.gravity = vec(0, -22);
