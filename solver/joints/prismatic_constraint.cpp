@@ -1,8 +1,10 @@
 #include "prismatic_constraint.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "../wide/wide_slides.h"
+#include "free_angle.h"
 #include "guided_line.h"
 #include "pin.h"
 
@@ -20,9 +22,7 @@ namespace {
 struct Slide : GuidedLine {
     Vec2 lever;  ///< of that point, from B's anchor
     Real angle = 0;
-    /// The angle gives way by no more than what moves the anchor as far as its softness across the axis does: this is
-    /// its response, that far, per compliance.
-    Real angleShare = 0;
+    Real angleShare = 0;  ///< response of the angle, as far as it gives way, per compliance
 };
 
 Slide slideOf(PrismaticConstraint& joint, const JointPair& pair) {
@@ -45,7 +45,7 @@ Slide slideOf(PrismaticConstraint& joint, const JointPair& pair) {
     slide.inverseMass = slide.response > 0 ? determinant / slide.response : Real(0);
     slide.lonely = slide.own > 0 ? determinant / slide.own : Real(0);
     const Real farther = mass + turn * lengthSquared(lever);
-    slide.angleShare = farther > 0 ? turn * (mass / farther) : turn;
+    slide.angleShare = farther > 0 ? turn * std::min(Real(1), kFreeAngle * mass / farther) : turn;
     return slide;
 }
 

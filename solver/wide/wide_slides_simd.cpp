@@ -1,4 +1,5 @@
 // Compiled once per instruction set: foreach_target.h reads this file again for each.
+#include "../joints/free_angle.h"
 #include "wide_slides.h"
 #include "wide_targets.h"
 
@@ -94,7 +95,8 @@ private:
         put(quotient(determinant, line.response, zero), block_.inverseMass, begin_);
         put(quotient(determinant, line.own, zero), block_.lonely, begin_);
         const Lanes farther = hn::Add(mass(), hn::Mul(turning, dotOf(lever, lever)));
-        const Lanes share = hn::Mul(turning, hn::Div(mass(), farther));
+        const Lanes part = hn::Div(hn::Mul(hn::Set(Tag(), kFreeAngle), mass()), farther);
+        const Lanes share = hn::Mul(turning, hn::Min(hn::Set(Tag(), Real(1)), part));
         put(hn::IfThenElse(hn::Gt(farther, zero), share, turning), block_.angleShare, begin_);
     }
 
