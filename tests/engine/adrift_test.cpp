@@ -180,5 +180,66 @@ TEST(Adrift, TurnsOnBesideNewBodies) {
     }
 }
 
+/// What turns them back makes nothing faster than the world allows. (Some were, by up to a fifth.)
+TEST(Adrift, ChainsKeepToTheHighestSpeed) {
+    for (const Profile profile : kProfiles) {
+        double fastest = 0;
+        for (std::uint64_t seed = 0; seed < 30; ++seed) {
+            Random random(seed);
+            WorldSettings settings = awakeSettings(profile, 0);
+            settings.maxSpeed = 20;
+            World world = makeWorld(settings);
+            std::vector<BodyId> chain;
+            for (int i = 0; i < 4; ++i) {
+                const double x = random.range(-20, 20);
+                const double y = random.range(-20, 20);
+                const BodyDef def = dynamicAt({0.5 * i, 0}, vec(x, y), random.range(-30, 30));
+                chain.push_back(addBody(world, def, box(0.25, 0.05)));
+                if (i == 0) { continue; }
+                must(world.createJoint(RevoluteJointDef{.base = between(chain[chain.size() - 2], chain.back()),
+                                                        .anchor = {0.5 * i - 0.25, 0},
+                                                        .limits = AngleLimits{real(-0.5), real(0.5)}}));
+            }
+            for (int i = 0; i < 60; ++i) {
+                run(world, 1);
+                for (const BodyId link : chain) { fastest = std::max(fastest, length(velocityOf(world, link))); }
+            }
+        }
+        EXPECT_LE(fastest, 20 * (1 + 1e-5)) << profileName(profile);
+        EXPECT_GT(fastest, 15) << profileName(profile);
+    }
+}
+
+/// What strikes them turns them: of a crate that falls onto the end of a bar of three both have, together, the spin
+/// that the crate had about the bar. (A fifth of it: the bar was turned back.)
+TEST(Adrift, ChainsAreTurnedByWhatStrikesThem) {
+    for (const Profile profile : kProfiles) {
+        for (const double speed : {1.0, 8.0}) {
+            for (const bool areWelded : {false, true}) {
+                World world = makeWorld(profile, 0);
+                std::vector<BodyId> bodies;
+                for (int i = 0; i < 3; ++i) {
+                    bodies.push_back(addBody(world, dynamicAt({i - 1.0, 0}), box(0.5, 0.1), material(0.6)));
+                    if (i == 0) { continue; }
+                    const JointDef base = between(bodies[bodies.size() - 2], bodies.back());
+                    const DVec2 anchor{i - 1.5, 0};
+                    if (areWelded) {
+                        must(world.createJoint(WeldJointDef{.base = base, .anchor = anchor}));
+                    } else {
+                        must(world.createJoint(RevoluteJointDef{
+                            .base = base, .anchor = anchor, .limits = AngleLimits{real(-0.1), real(0.1)}}));
+                    }
+                }
+                bodies.push_back(addBody(world, dynamicAt({1.2, 0.5}, vec(0, -speed)), box(0.2, 0.2), material(0.6)));
+                const double spin = angularMomentumOf(world, bodies);
+                run(world, 60);
+                // Iterated contacts and joints push beside each other by their gaps.
+                EXPECT_NEAR(angularMomentumOf(world, bodies) / spin, 1, 0.02)
+                    << profileName(profile) << " at " << speed << (areWelded ? " m/s, welded" : " m/s");
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test

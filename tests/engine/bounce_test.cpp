@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "../support/random.h"
 #include "world_support.h"
@@ -304,6 +306,41 @@ TEST(Bounce, WhatTheBudgetCutsOffEntersTheLostTime) {
         EXPECT_FALSE(scene.anyOther) << name;
         expectAtMost(name + "overlap", scene.overlap, 0);
         expectAtMost(name + "speed", std::abs(length(velocityOf(scene.world, scene.ball)) / kSpeed - 1), rounding);
+    }
+}
+
+/// Two balls on one weld fall, and are stopped where they meet the floor: for the rest of that step they stand, and
+/// their fall gives them nothing. (It went on: 1.6 J/kg out of nothing.)
+TEST(Bounce, WhatIsStoppedDoesNotFall) {
+    for (const Profile profile : kProfiles) {
+        double lost = 0;
+        for (int i = 0; i < 20; ++i) {
+            const double height = 1 + 0.17 * i;
+            WorldSettings settings = awakeSettings(profile);
+            settings.continuous = ContinuousMode::stop;
+            World world = makeWorld(settings);
+            addStatic(world, box(10, 0.02), material(0), {0, -0.02});
+            std::vector<BodyId> balls;
+            for (const double x : {0.0, 0.12}) {
+                BodyDef def = dynamicAt({x, height});
+                def.fixedRotation = true;
+                balls.push_back(addBody(world, def, circle(0.05), material(0)));
+            }
+            must(world.createJoint(
+                WeldJointDef{.base = {.bodyA = balls[0], .bodyB = balls[1]}, .anchor = {0.06, height}}));
+            double most = 0;
+            double before = energyOf(world, balls, kGravity);
+            for (int step = 0; step < 100; ++step) {
+                run(world, 1);
+                for (const LostTimeEntry& entry : world.lostTime()) { lost += entry.seconds; }
+                const double energy = energyOf(world, balls, kGravity);
+                most = std::max(most, (energy - before) / (world.mass(balls[0]) + world.mass(balls[1])));
+                before = energy;
+            }
+            // Roundings of 50 J/kg, and what lets it come to rest.
+            EXPECT_LT(most, 1e-3) << profileName(profile) << ", " << height << " m";
+        }
+        EXPECT_GT(lost, 0.05) << profileName(profile) << ": nothing was stopped, so nothing was tested";
     }
 }
 

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <vector>
 
 #include "world_support.h"
 
@@ -191,6 +192,34 @@ TEST(BulletStrikes, OfSlowBallsGoAlongTheLineOfCentres) {
                 EXPECT_NEAR(length(velocity), most, 0.01 * speed) << what;
                 EXPECT_NEAR(std::atan2(velocity.y, velocity.x), std::asin(aside), 0.005) << what;
             }
+        }
+    }
+}
+
+/// Of bullets in a row each tells, by its contact, the impulse of all blows of the step: what changed its momentum.
+/// (Where they were solved as one clash, it was nothing.)
+TEST(BulletStrikes, TellTheirImpulses) {
+    for (const Profile profile : kProfiles) {
+        for (const double restitution : {0.0, 0.5}) {
+            World world = makeWorld(profile, 0);
+            std::vector<BodyId> row;
+            const DVec2 starts[] = {{0, 60}, {0.42, 0}, {1.6, -30}};  // x and its speed
+            for (const DVec2 start : starts) {
+                BodyDef def = dynamicAt({start.x, 0}, vec(start.y, 0));
+                def.bullet = true;
+                row.push_back(addBody(world, def, circle(0.2), material(0, restitution)));
+            }
+            int blows = 0;
+            for (int i = 0; i < 4; ++i) {
+                const double before = velocityOf(world, row[0]).x;
+                run(world, 1);
+                const double change = world.mass(row[0]) * std::abs(velocityOf(world, row[0]).x - before);
+                double told = 0;
+                world.visitContacts(row[0], [&](const ContactView& contact) { told += contact.impulse; });
+                blows += change > 0.1 ? 1 : 0;
+                EXPECT_NEAR(told, change, 1e-4) << profileName(profile) << ", e " << restitution << ", step " << i;
+            }
+            EXPECT_GE(blows, 1) << profileName(profile) << ", e " << restitution;
         }
     }
 }

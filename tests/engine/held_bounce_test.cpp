@@ -219,5 +219,23 @@ TEST(HeldBounce, WhatOverlapsSomethingKinematicIsNotThrown) {
     }
 }
 
+/// A weld on springs does not hold its plate in a blow: of two equal boxes the one that strikes stays where it is, and
+/// the other has all of its speed. (As if the springs were rigid, it went back at 4 m/s.)
+TEST(HeldBounce, OffWhatSpringsHold) {
+    for (const Profile profile : kProfiles) {
+        World world = makeWorld(profile, 0);
+        const BodyId level = must(world.createBody({}));
+        const BodyId plate = addBody(world, dynamicAt({0, 0}), box(0.5, 0.5), material(0, 1));
+        WeldJointDef weld{.base = {.bodyA = level, .bodyB = plate}, .anchor = {0, 0}};
+        weld.linearSpring = weld.angularSpring = Spring{real(0.5), 0};
+        must(world.createJoint(weld));
+        const BodyId striker = addBody(world, dynamicAt({-2, 0}, vec(4, 0)), box(0.5, 0.5), material(0, 1));
+        run(world, 22);  // it is there after a quarter of a second
+        const double seconds = 22 * kStep - 0.25;
+        EXPECT_NEAR(velocityOf(world, striker).x, 0, 0.05) << profileName(profile);
+        EXPECT_NEAR(velocityOf(world, plate).x, 4 * std::cos(kPi * seconds), 0.2) << profileName(profile);
+    }
+}
+
 }  // namespace
 }  // namespace swept::test

@@ -207,6 +207,22 @@ TEST(SensorWays, SkimmedAreSilent) {
     EXPECT_LE(seenIn(world, 60).begins, 1);
 }
 
+/// A ball past a round sensor, at a time between two steps: 3 µm deep it is in, and out again. As deep as roundings go,
+/// which is 2⁻¹⁷ of its radius, it is no more in than one that passes outside, as near as times of impact are found.
+/// (All that overlapped by as little as that were told.)
+TEST(SensorWays, GrazedAreSilent) {
+    for (int i = -100; i <= 100; ++i) {
+        const double depth = 1e-7 * i;
+        if ((depth > -2e-7 && depth < 2e-7) || (depth > 1.5e-6 && depth < 3e-6)) { continue; }  // may be either
+        World world = makeWorld(0);
+        addStatic(world, circle(0.25), seeing());
+        addBody(world, dynamicAt({-0.8, 0.5 - depth}, vec(100, 0)), circle(0.25));
+        const SeenEvents seen = seenIn(world, 1);
+        EXPECT_EQ(seen.begins, depth > 2e-6 ? 1 : 0) << depth << " m deep";
+        EXPECT_EQ(seen.ends, seen.begins) << depth << " m deep";
+    }
+}
+
 /// What moves no farther than a part of its width, and of that of the sensor, costs no sweep.
 TEST(SensorWays, OfWhatIsSlowForItsSizeAreNotFollowed) {
     World world = makeWorld(0);

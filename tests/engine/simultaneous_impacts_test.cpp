@@ -141,5 +141,41 @@ TEST(SimultaneousImpacts, AGasKeepsItsEnergy) {
     }
 }
 
+/// Of sixty racks at once, far from each other, each breaks as if it were alone: so many contacts bounce in turn where
+/// they are solved together, and profile `accurate` leaves these to their own islands. (Lopsided by a third.)
+TEST(SimultaneousImpacts, BreakShotsBesideOthersAreSymmetric) {
+    constexpr double kRadius = 0.1;
+    constexpr double kSpeed = 40;
+    constexpr int kRows = 4;
+    World world = makeWorld(Profile::accurate, 0);
+    std::vector<BodyId> balls;  // rack by rack, row by row
+    for (int rack = 0; rack < 60; ++rack) {
+        const DVec2 tip{0, 20.0 * rack};
+        for (int row = 0; row < kRows; ++row) {
+            for (int k = 0; k <= row; ++k) {
+                const DVec2 place{row * std::sqrt(3.0) * kRadius, (2 * k - row) * kRadius};
+                balls.push_back(addBody(world, dynamicAt(tip + place), circle(kRadius), material(0, 1)));
+            }
+        }
+        addBody(world, dynamicAt(tip - DVec2{0.22, 0}, vec(kSpeed, 0)), circle(kRadius), material(0, 1));
+    }
+    run(world, 8);
+    double off = 0;
+    double fastest = 0;
+    for (std::size_t first = 0; first < balls.size();) {
+        const std::size_t row = first % (kRows * (kRows + 1) / 2);  // 0, 1, 3, 6: its first place
+        const std::size_t count = row == 0 ? 1 : (row == 1 ? 2 : (row == 3 ? 3 : 4));
+        for (std::size_t k = 0; k < count; ++k) {
+            const DVec2 a = velocityOf(world, balls[first + k]);
+            const DVec2 b = velocityOf(world, balls[first + count - 1 - k]);
+            off = std::max(off, length(a - DVec2{b.x, -b.y}));
+            fastest = std::max(fastest, length(a));
+        }
+        first += count;
+    }
+    expectAtMost("asymmetry", off / kSpeed, 1e-3);
+    EXPECT_GT(fastest, 0.2 * kSpeed);
+}
+
 }  // namespace
 }  // namespace swept::test

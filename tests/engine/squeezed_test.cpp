@@ -202,5 +202,64 @@ TEST(Squeezed, BetweenACarAndTheGround) { expectNoneFlungAway("cone", coneOf, fa
 TEST(Squeezed, BetweenAHeavyCarAndTwoWalls) { expectNoneFlungAway("cone, heavy", coneOf, true, 16); }
 TEST(Squeezed, UnderAPress) { expectNoneFlungAway("press", pressOf, false, 20, 12); }
 
+/// A ceiling that comes down at 1 mm/s onto a box as high as the room below it.
+struct SlowCeiling {
+    World world;
+    BodyId pressed;
+
+    SlowCeiling(Profile profile, double friction, double belt) : world(makeWorld(profile)) {
+        ShapeDef floor = material(friction);
+        floor.surfaceSpeed = real(belt);
+        addStatic(world, box(100, 0.5), floor, {0, -0.5});
+        BodyDef def = bodyAt(BodyType::kinematic, {0, 1.5});
+        def.velocity = vec(0, -0.001);
+        addBody(world, def, box(100, 0.5), material(0));
+        pressed = addBody(world, dynamicAt({0, 0.5}), box(0.5, 0.501), material(friction));
+    }
+};
+
+/// What presses it is slow, and what leads it is not: it goes as fast as the belt below it. (At 3 m/s.)
+TEST(Squeezed, GoesAlongWithABelt) {
+    for (const Profile profile : kProfiles) {
+        SlowCeiling scene(profile, 5, 20);
+        run(scene.world, 20);
+        EXPECT_NEAR(velocityOf(scene.world, scene.pressed).x, 20, 0.2) << profileName(profile);
+    }
+}
+
+/// Nor is it left behind by the kinematic body that draws it by a rod. (By 4.9 m in a second.)
+TEST(Squeezed, GoesAlongWithWhatDrawsIt) {
+    for (const Profile profile : kProfiles) {
+        SlowCeiling scene(profile, 0, 0);
+        BodyDef def = bodyAt(BodyType::kinematic, {1, 0.5});
+        def.velocity = vec(10, 0);
+        const BodyId hook = must(scene.world.createBody(def));
+        must(scene.world.createJoint(
+            DistanceJointDef{.base = between(hook, scene.pressed), .anchorA = {1, 0.5}, .anchorB = {0, 0.5}}));
+        run(scene.world, 60);
+        const double apart = scene.world.position(hook).x - scene.world.position(scene.pressed).x;
+        EXPECT_NEAR(apart, 1, 0.02) << profileName(profile);
+    }
+}
+
+/// What a motor turns is as fast as that wants, however slow the ground that presses it to a wall. (A quarter.)
+TEST(Squeezed, TurnsWithItsMotor) {
+    for (const Profile profile : kProfiles) {
+        World world = makeWorld(profile);
+        BodyDef def = bodyAt(BodyType::kinematic, {0, -0.5});
+        def.velocity = vec(-0.2, 0);
+        addBody(world, def, box(30, 0.5), material(0));
+        addStatic(world, box(0.5, 2), material(0), {-0.79, 0.3});
+        const BodyId wheel = addBody(world, dynamicAt({0, 0.3}), circle(0.3), material(0));
+        WheelJointDef joint;
+        joint.base = between(anchorOf(world), wheel);
+        joint.anchor = {0, 0.3};
+        joint.motor = AngularMotor{.speed = real(200), .maxTorque = real(20)};
+        must(world.createJoint(joint));
+        run(world, 60);
+        EXPECT_NEAR(spinOf(world, wheel), 200, 2) << profileName(profile);
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
