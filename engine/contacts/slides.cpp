@@ -19,10 +19,6 @@ Real leverOf(Vec2 pointInA, const Transform& bInA, Vec2 normal) {
     return dot(pointInA - bInA.translation, rightPerp(normal));
 }
 
-bool isOnStatic(const WorldState& world, const Contact& contact) {
-    return !contact.dynamicA && world.bodies[contact.bodyA].def.type == BodyType::fixed;
-}
-
 Vec2 toWorld(const WorldState& world, const Contact& contact, Vec2 inA) {
     return rotate(world.motions[contact.bodyA].pose.rotation, inA);
 }
@@ -105,9 +101,6 @@ void noteSlide(Slide& slide, const Contact& contact, const Transform& bInA) {
 }
 
 void carryAlong(const WorldState& world, const GroundContacts& contacts) {
-    for (std::uint32_t i = contacts.first; i != kNoIndex; i = contacts.next[i]) {
-        if (!isOnStatic(world, contacts.all[i])) { return; }  // moves by itself
-    }
     const Load load = loadOf(world, contacts);
     if (!(load.impulse > 0)) { return; }
     const Feet feet = findFeet(world, contacts, load);

@@ -24,7 +24,7 @@ struct GroundContacts {
     std::uint32_t first = 0;
 };
 
-/// Hands it on among the new points of contacts of one body with static shapes.
+/// Hands it on among the new points of contacts of one body with ground, static or kinematic.
 void carryAlong(const WorldState& world, const GroundContacts& contacts);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -67,6 +67,7 @@ private:
         Hold tangentHold = Hold::free;
         double limit = 0;         ///< of friction
         bool isExpected = false;  ///< to press
+        bool isDeep = false;      ///< deeper than a projection pushes out
         int partings = 0;         ///< of a point without a known limit, in this solve
         Real half = 0;            ///< expected normal impulse of half a sub-step
         Real tangentHalf = 0;
@@ -97,7 +98,9 @@ private:
     std::span<const Point> pointsOf(const Part& part) const {
         return std::span(points_).subspan(part.begin, part.end - part.begin);
     }
+    /// Whether there is no room for its bodies. @pre the change of a projection was computed
     static void limitMoves(const Part& part, DirectSystem& system);
+    bool isOverfull(const Part& part, const DirectSystem& system) const;
     /// What is done about overlaps and gaps.
     struct Projection {
         Real rate = 0;      ///< part of them that is closed

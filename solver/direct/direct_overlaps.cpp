@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "../closeness.h"
 #include "direct_contacts.h"
@@ -22,11 +23,6 @@ constexpr Real kSmallRatio = Real(1) / (1 << 20);
 /// Of many bodies: 1275 boxes side by side took 60 more steps, 25 ms each, to come down to the other one.
 constexpr Real kSmallRatioOfMany = Real(1) / (1 << 14);
 
-/// By so many pushes of a contact all of them together may move a body. (Where 22 × 22 discs were made in a room for
-/// 20 × 20, those at the walls moved by the sum of all overlaps, into others that no contact knew of: they stayed 0.95
-/// of their width deep. With twice as many they still do; now all are 0.12 deep.)
-constexpr double kMostPushes = 2;
-
 /// How far apart a point may stay, metres.
 Real toleranceAt(const ContactConstraintPoint& point, bool movesA, bool movesB, Real ratio) {
     return std::max(ratio * leverAt(point, movesA, movesB), separationRounding(point.anchorA, point.anchorB));
@@ -36,7 +32,38 @@ bool isStuck(const ContactConstraint& contact, const ContactConstraintPoint& poi
     return std::fabs(point.tangentImpulse) < contact.friction * point.normalImpulse;
 }
 
+/// By so many pushes of a contact all of them together may move a body. (Where 22 x 22 discs were made in a room for 20
+/// x 20, those at the walls moved by the sum of all overlaps, into others that no contact knew of: they stayed 0.95 of
+/// their width deep. With twice as many they still do.)
+constexpr double kMostPushes = 2;
+/// Where so large a part of all points are deeper than is pushed out in a step, and a projection would leave more than
+/// this part of what it is to close, there is no room for the bodies: they are iterated, which shares out what is left.
+/// (Rows of discs that are moved again and again by what is left buckle, until some are in others.)
+constexpr double kStuckPoints = 0.25;
+constexpr double kStuckPart = 0.5;
+
 }  // namespace
+
+bool DirectContacts::isOverfull(const Part& part, const DirectSystem& system) const {
+    const auto isStuckDeep = [&system](const Point& contact) {
+        return contact.isDeep && system.changedExcess(contact.normal) < kStuckPart * contact.normal.excess;
+    };
+    const std::span<const Point> points = pointsOf(part);
+    const auto stuck = std::count_if(points.begin(), points.end(), isStuckDeep);
+    return stuck > 0 && static_cast<double>(stuck) >= kStuckPoints * static_cast<double>(points.size());
+}
+
+/// All of them alike: what a projection leaves is closed by the next ones.
+void DirectContacts::limitMoves(const Part& part, DirectSystem& system) {
+    const std::span<Block3> moves = system.change().subspan(part.nodes.begin, part.nodes.end - part.nodes.begin);
+    double farthest = 0;
+    for (const Block3& move : moves) { farthest = std::max(farthest, std::hypot(move[0], move[1])); }
+    if (!(farthest > part.mostMoved)) { return; }
+    const double share = part.mostMoved / farthest;
+    for (Block3& move : moves) {
+        for (double& x : move) { x *= share; }
+    }
+}
 
 bool DirectContacts::gatherOverlaps(const SolverBatch& batch, const DirectSystem& system, Real h, bool isLast) {
     const Real rate = hasManyBodies_ ? kProjectionRateOfMany : kProjectionRate;
@@ -67,6 +94,7 @@ bool DirectContacts::gatherOverlapsOf(Part& part, const SolverBatch& batch, cons
         contact.tangentHold = presses && isStuck(constraint, point) ? Hold::held : Hold::free;
         const Real fastest = constraint.maxPushSpeed * h;
         part.mostMoved = std::min(part.mostMoved, kMostPushes * static_cast<double>(fastest));
+        contact.isDeep = projection.rate * separation < -fastest;
         contact.normal.excess = static_cast<double>(std::max(projection.rate * separation, -fastest));
         contact.tangent.excess = contact.normal.guess = contact.tangent.guess = 0;
     }

@@ -93,27 +93,19 @@ void DirectContacts::computeChange(const Part& part, DirectSystem& system, const
     system.solve(part.nodes);
 }
 
-/// All of them alike: what a projection leaves is closed by the next ones.
-void DirectContacts::limitMoves(const Part& part, DirectSystem& system) {
-    const std::span<Block3> moves = system.change().subspan(part.nodes.begin, part.nodes.end - part.nodes.begin);
-    double farthest = 0;
-    for (const Block3& move : moves) { farthest = std::max(farthest, std::hypot(move[0], move[1])); }
-    if (!(farthest > part.mostMoved)) { return; }
-    const double share = part.mostMoved / farthest;
-    for (Block3& move : moves) {
-        for (double& x : move) { x *= share; }
-    }
-}
-
 void DirectContacts::computeProjection(DirectSystem& system, const DirectJoints& joints, DirectReport& report,
                                        double tangentShare) {
     DirectReport most;
     system.beginChange();
-    for (const Part& part : parts_) {
+    for (Part& part : parts_) {
         if (!part.isFar) { continue; }
         DirectReport own;
         assemble(part, system, joints, own, tangentShare);
         computeChange(part, system, joints);
+        if (isOverfull(part, system)) {
+            part.isInVain = true;
+            system.beginChange(part.nodes);  // nothing moves
+        }
         limitMoves(part, system);
         system.forgetFactor(part.nodes);
         most.takeLarger(own);

@@ -299,25 +299,6 @@ TEST(JointOverlaps, OfJointsThatDoNotAgreeThrowNothingFromAPlatform) {
     }
 }
 
-/// Whoever is put back where it was does not leap from there: it trembled for ever, at 2 m/s.
-TEST(JointOverlaps, OfOneBodyOnTwoHingesThatDoNotAgreeComesToRest) {
-    WorldSettings settings = awakeSettings(Profile::fast, 0);
-    World world = makeWorld(settings);
-    const BodyId level = must(world.createBody({}));
-    BodyDef def = dynamicAt({1, 0});
-    def.velocity = vec(2, 1);
-    def.angularVelocity = -2;
-    const BodyId body = addBody(world, def, box(0.25, 0.125), material(0.6, 0, 100));
-    RevoluteJointDef first{.base = between(level, body), .anchor = {-1, 3}};
-    first.anchorB = DVec2{-2, 2};
-    must(world.createJoint(first));
-    RevoluteJointDef second{.base = between(level, body), .anchor = {4, 1}};
-    second.anchorB = DVec2{-3, -4};
-    must(world.createJoint(second));
-    run(world, 60);
-    expectAtMost("speed", length(velocityOf(world, body)), 0.1);
-}
-
 /// Three crates of 0.7 m made 0.5 m apart, each on a joint that hardly holds it: they are pushed apart. (What pushed
 /// them was taken for joints that feed on each other, and was undone in each step: they slept where they were.)
 TEST(JointOverlaps, OfCratesThatAreBrakedArePushedOut) {
