@@ -98,9 +98,10 @@ private:
     std::span<const Point> pointsOf(const Part& part) const {
         return std::span(points_).subspan(part.begin, part.end - part.begin);
     }
+    // direct_overlaps.cpp
     /// Whether there is no room for its bodies. @pre the change of a projection was computed
-    static void limitMoves(const Part& part, DirectSystem& system);
     bool isOverfull(const Part& part, const DirectSystem& system) const;
+    static void limitMoves(const Part& part, DirectSystem& system);
     /// What is done about overlaps and gaps.
     struct Projection {
         Real rate = 0;      ///< part of them that is closed
