@@ -89,6 +89,8 @@ void listClasses(WorldState& world, bool areAllSolved, bool budgeted) {
 
 /// @param isAlone  all that is tied is of the class: then small traits tell, and no body is asked
 void listJointsOfClass(WorldState& world, Effort effort, bool isAlone) {
+    world.tiedJoints.clear();
+    if (world.activeJoints.empty()) { return; }
     const auto isOfClass = [&world, effort, isAlone](std::uint32_t slot) {
         if (isAlone) { return (world.traits[slot] & kIsTied) != 0; }
         return world.bodies[slot].role == BodyRole::solved && world.bodies[slot].effort == effort;
@@ -100,8 +102,6 @@ void listJointsOfClass(WorldState& world, Effort effort, bool isAlone) {
         const std::span<const std::uint32_t> bodies = world.joints[joint].allBodies();
         return anyOf(bodies, isOfClass);
     };
-    world.tiedJoints.clear();
-    if (world.activeJoints.empty()) { return; }
     forEachMeant(*world.loops, world.activeJoints, kJointGrain, world.answers, isJointOfClass,
                  [&world](std::uint32_t joint) { world.tiedJoints.push_back(joint); });
 }
