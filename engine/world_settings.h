@@ -41,6 +41,9 @@ struct WorldSettings {
     /// Metres, greater than 0; else a quarter of the target, which is 2⁻¹⁰ of the pair's extent.
     std::optional<Real> toiTolerance{};
     bool sleep = true;  ///< islands at rest are left out of steps until something wakes them; false: never
+    /// m/s, at least 0, finite: what moves (its rim, where it turns) no faster than this in the mean, for as long as
+    /// rest takes, falls asleep, too: what rolls or creeps on. 0: only what stays where it is.
+    Real sleepSpeed = 0;
     bool measureStageTimes = false;
     BroadphaseKind broadphase = BroadphaseKind::automatic;  ///< may change only while the world has no shapes
 };

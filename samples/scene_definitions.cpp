@@ -74,6 +74,7 @@ WorldSettings worldSettingsOf(const SceneDescription& scene) {
     settings.maxJointError = realOf(given.maxJointError.value_or(std::numeric_limits<double>::infinity()));
     settings.maxLostTime = given.maxLostTime.value_or(std::numeric_limits<double>::infinity());
     settings.sleep = given.sleep;
+    settings.sleepSpeed = realOf(given.sleepSpeed);
     settings.broadphase = broadphaseOf(given.broadphase);
     return settings;
 }

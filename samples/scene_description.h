@@ -231,6 +231,7 @@ struct SettingsDescription {
     int maxImpacts = 64;
     std::optional<double> maxSpeed;  ///< omitted: none
     bool sleep = true;
+    double sleepSpeed = 0;  ///< m/s
     SceneBroadphase broadphase = SceneBroadphase::automatic;
     std::optional<double> toiTolerance;                                ///< metres; omitted: by extent
     std::optional<double> maxPenetration, maxJointError, maxLostTime;  ///< error budgets

@@ -50,6 +50,8 @@ Status check(const WorldSettings& settings) {
     if (settings.maxImpacts < 1) { return {StatusCode::outOfRange, "maxImpacts"}; }
     if (std::isnan(settings.maxSpeed)) { return {StatusCode::notFinite, "maxSpeed"}; }
     if (settings.maxSpeed <= 0) { return {StatusCode::notPositive, "maxSpeed"}; }
+    if (!isFinite(settings.sleepSpeed)) { return {StatusCode::notFinite, "sleepSpeed"}; }
+    if (settings.sleepSpeed < 0) { return {StatusCode::negative, "sleepSpeed"}; }
     if (settings.toiTolerance && !isFinite(*settings.toiTolerance)) { return {StatusCode::notFinite, "toiTolerance"}; }
     if (settings.toiTolerance && !(*settings.toiTolerance > 0)) { return {StatusCode::notPositive, "toiTolerance"}; }
     return checkBudgets(settings);

@@ -56,6 +56,7 @@ void appendSettings(std::string& text, const WorldState& world) {
     out.addUnless("maxLostTime", settings.maxLostTime, usual.maxLostTime);
     if (settings.toiTolerance) { out.add("toiTolerance", *settings.toiTolerance); }
     out.addUnless("sleep", settings.sleep, usual.sleep);
+    out.addUnless("sleepSpeed", settings.sleepSpeed, usual.sleepSpeed);
     if (settings.broadphase != usual.broadphase) { out.add("broadphase", wordFor(kBroadphases, settings.broadphase)); }
     out.close();
 }

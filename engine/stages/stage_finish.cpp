@@ -27,14 +27,16 @@ constexpr std::size_t kMostPerAwake = 16;
 /// Bodies per block whose rest is counted.
 constexpr std::size_t kRestGrain = 128;
 
-bool hardlyMoved(const Body& body, const BodyMotion& motion) {
+/// Since it began to rest, a step ago and `restTime` before that.
+bool hardlyMoved(const WorldState& world, const Body& body, const BodyMotion& motion, double dt) {
     const double moved = length(motion.center - body.restCenter) +
                          std::fabs(motion.angle - body.restAngle) * static_cast<double>(body.radius);
-    return moved <= static_cast<double>(kRestRatio * body.extent);
+    const double creep = static_cast<double>(world.settings.sleepSpeed) * (body.restTime + dt);
+    return moved <= static_cast<double>(kRestRatio * body.extent) + creep;
 }
 
-void countRest(Body& body, const BodyMotion& motion, double dt) {
-    if (hardlyMoved(body, motion)) {
+void countRest(const WorldState& world, Body& body, const BodyMotion& motion, double dt) {
+    if (hardlyMoved(world, body, motion, dt)) {
         body.restTime += dt;
         ++body.restSteps;
         return;
@@ -50,13 +52,15 @@ double wayLeft(Real speed, Real damping) {
     return speed > 0 ? static_cast<double>(speed) / static_cast<double>(damping) : 0;
 }
 
-/// Whether nothing moves the body, and it hardly will move ever. What drifts goes on, however slowly; what flies is
-/// still for a moment where it turns back.
+/// Whether nothing moves the body, and it hardly will move ever. What drifts goes on, however slowly, unless that is
+/// what sleeps; what flies is still for a moment where it turns back.
 bool staysByItself(const WorldState& world, const Body& body, const BodyMotion& motion) {
     if (accelerationOf(world, body) != Vec2{}) { return false; }  // a torque is over with its step
-    const double way =
-        wayLeft(length(motion.velocity), body.def.linearDamping) +
-        static_cast<double>(body.radius) * wayLeft(std::fabs(motion.angularVelocity), body.def.angularDamping);
+    const Real speed = length(motion.velocity);
+    const Real spin = std::fabs(motion.angularVelocity);
+    if (speed + body.radius * spin <= world.settings.sleepSpeed) { return true; }
+    const double way = wayLeft(speed, body.def.linearDamping) +
+                       static_cast<double>(body.radius) * wayLeft(spin, body.def.angularDamping);
     return way <= static_cast<double>(kRestRatio * body.extent);
 }
 
@@ -75,7 +79,7 @@ void countRests(WorldState& world, double dt) {
             world.tiredness[i] = Tiredness::kinematic;
             if (!body.isDynamic()) { continue; }
             const BodyMotion& motion = world.motions[world.awake[i]];
-            countRest(body, motion, dt);
+            countRest(world, body, motion, dt);
             world.tiredness[i] = isTired(world, body, motion) ? Tiredness::tired : Tiredness::restless;
         }
     });

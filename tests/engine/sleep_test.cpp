@@ -59,6 +59,36 @@ TEST(Sleep, MovingBodyStaysAwake) {
     expectAtMost("way", std::abs(world.position(sliding).x - 0.5), 1e-3);
 }
 
+TEST(Sleep, WhatMovesNoFasterThanTheSleepSpeedFallsAsleepToo) {
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        World world = makeWorld({.gravity = vec(0, -kGravity), .profile = profile, .sleepSpeed = real(0.05)});
+        addStatic(world, box(100, 0.5), material(0), {0, -0.5});
+        const BodyId slow = addBody(world, dynamicAt({0, 0.5}, vec(0.04, 0)), box(0.5, 0.5), material(0));
+        const BodyId fast = addBody(world, dynamicAt({9, 0.5}, vec(0.06, 0)), box(0.5, 0.5), material(0));
+        runFor(world, 3);
+        EXPECT_FALSE(world.isAwake(slow));
+        runFor(world, 17);
+        EXPECT_TRUE(world.isAwake(fast));
+        expectAtMost("way", std::abs(world.position(fast).x - 10.2), 1e-3);
+    }
+}
+
+TEST(Sleep, SoDoesWhatDriftsAndTurnsSoSlowly) {
+    World world = makeWorld({.gravity = {}, .sleepSpeed = real(0.05)});
+    const auto drifting = [&world](double x, double speed, double spin) {
+        BodyDef def = dynamicAt({x, 0}, vec(speed, 0));
+        def.angularVelocity = real(spin);
+        return addBody(world, def, circle(1));
+    };
+    const BodyId slow = drifting(0, 0.02, 0.02);
+    const BodyId fast = drifting(10, 0.06, 0);
+    const BodyId turns = drifting(20, 0.03, 0.03);
+    runFor(world, 20);
+    EXPECT_FALSE(world.isAwake(slow));
+    EXPECT_TRUE(world.isAwake(fast));
+    EXPECT_TRUE(world.isAwake(turns)) << "at its rim it is faster";
+}
+
 TEST(Sleep, HitWakesTheStack) {
     SleepingStack stack;
     runFor(stack.world, 5);

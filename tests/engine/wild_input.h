@@ -102,6 +102,7 @@ public:
         if (random_.chance(0.1)) { settings.maxJointError = realPositive(); }
         if (random_.chance(0.1)) { settings.maxLostTime = random_.range(-0.01, 0.1); }
         settings.sleep = random_.chance(0.8);
+        if (random_.chance(0.1)) { settings.sleepSpeed = realPositive(); }
         settings.broadphase =
             static_cast<BroadphaseKind>(random_.integer(0, random_.chance(0.1) ? 200 : kBroadphaseKindCount - 1));
         return settings;

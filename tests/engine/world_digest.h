@@ -74,6 +74,7 @@ inline void addSettings(Digest& digest, const WorldSettings& settings) {
     digest.add(static_cast<std::uint64_t>(settings.continuous));
     digest.add(static_cast<std::uint64_t>(settings.broadphase));
     digest.add(std::uint64_t{settings.sleep});
+    digest.add(static_cast<double>(settings.sleepSpeed));
 }
 
 inline std::uint64_t digestOf(const World& world, const KnownIds& known) {

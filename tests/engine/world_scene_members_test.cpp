@@ -228,8 +228,10 @@ TEST(WorldScene, HasAllThatARandomSceneHas) {
         EXPECT_EQ(std::tuple(a.gravity, a.profile, a.subSteps, a.relaxPasses, a.continuous, a.maxImpacts, a.maxSpeed),
                   std::tuple(b.gravity, b.profile, b.subSteps, b.relaxPasses, b.continuous, b.maxImpacts, b.maxSpeed))
             << what;
-        EXPECT_EQ(std::tuple(a.maxPenetration, a.maxJointError, a.maxLostTime, a.toiTolerance, a.sleep, a.broadphase),
-                  std::tuple(b.maxPenetration, b.maxJointError, b.maxLostTime, b.toiTolerance, b.sleep, b.broadphase))
+        EXPECT_EQ(std::tuple(a.maxPenetration, a.maxJointError, a.maxLostTime, a.toiTolerance, a.sleep, a.sleepSpeed,
+                             a.broadphase),
+                  std::tuple(b.maxPenetration, b.maxJointError, b.maxLostTime, b.toiTolerance, b.sleep, b.sleepSpeed,
+                             b.broadphase))
             << what;
     }
     EXPECT_GT(tried, someOf(500));

@@ -27,6 +27,7 @@ public:
         const int joints = random_.integer(0, 3);
         for (int i = 0; i < joints; ++i) { scene.joints.push_back(joint(scene, i)); }
         addGear(scene);
+        if (often()) { scene.settings.sleepSpeed = positive(); }
         return scene;
     }
 

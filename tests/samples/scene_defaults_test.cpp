@@ -27,6 +27,7 @@ TEST(SceneDefaults, Scene) {
     EXPECT_EQ(s.continuous, SceneContinuous::subStep);
     EXPECT_EQ(s.maxImpacts, 64);
     EXPECT_TRUE(s.sleep);
+    EXPECT_EQ(s.sleepSpeed, 0);
     EXPECT_EQ(s.broadphase, SceneBroadphase::automatic);
 }
 
@@ -86,7 +87,8 @@ TEST(SceneKeys, OfSceneViewAndSettings) {
     const SceneDescription scene =
         readGood(R"({"name": "n", "gravity": [1, -2], "view": {"center": [3, 4], "height": 5},
         "settings": {"dt": 0.01, "profile": "fast", "subSteps": 8, "relaxPasses": 2, "continuous": "stop",
-                     "maxImpacts": 9, "maxSpeed": 100, "sleep": false, "broadphase": "allPairs", "toiTolerance": 0.001,
+                     "maxImpacts": 9, "maxSpeed": 100, "sleep": false, "sleepSpeed": 0.2,
+                     "broadphase": "allPairs", "toiTolerance": 0.001,
                      "maxPenetration": 0.01, "maxJointError": 0.02, "maxLostTime": 0.03},
         "bodies": [], "joints": []})");
     EXPECT_EQ(scene.name, "n");
@@ -101,6 +103,7 @@ TEST(SceneKeys, OfSceneViewAndSettings) {
     expected.maxImpacts = 9;
     expected.maxSpeed = 100;
     expected.sleep = false;
+    expected.sleepSpeed = 0.2;
     expected.broadphase = SceneBroadphase::allPairs;
     expected.toiTolerance = 0.001;
     expected.maxPenetration = 0.01;

@@ -235,6 +235,7 @@ TEST(SceneErrors, Ranges) {
         {settings(R"("maxPenetration": -1)"), "/settings/maxPenetration", "at least 0, not -1"},
         {settings(R"("maxJointError": -1)"), "/settings/maxJointError", "at least 0"},
         {settings(R"("maxLostTime": -1)"), "/settings/maxLostTime", "at least 0"},
+        {settings(R"("sleepSpeed": -1)"), "/settings/sleepSpeed", "at least 0"},
         {R"({"gravity": [1e39, 0], "bodies": []})", "/gravity/0", "1e+39 is too large"},
         {R"({"view": {"height": 0}, "bodies": []})", "/view/height", "greater than 0"},
         {ball(R"("linearDamping": -0.1)"), "/bodies/0/linearDamping", "at least 0, not -0.1"},

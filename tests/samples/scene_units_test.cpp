@@ -35,6 +35,7 @@ TEST(SceneUnits, AreThoseOfPhysics) {
         {"/settings/maxPenetration", "m"},
         {"/settings/maxJointError", "m"},
         {"/settings/maxLostTime", "s"},
+        {"/settings/sleepSpeed", "m/s"},
         {"/bodies/*/position", "m"},
         {"/bodies/*/angle", "1"},
         {"/bodies/*/velocity", "m/s"},

@@ -203,6 +203,7 @@ b2BodyDef definitionOf(const BodyDescription& body, const SettingsDescription& s
     definition.isAwake = body.awake;
     definition.isEnabled = body.enabled;
     definition.enableSleep = settings.sleep && body.allowSleep;
+    if (settings.sleepSpeed > 0) { definition.sleepThreshold = static_cast<float>(settings.sleepSpeed); }
     return definition;
 }
 

@@ -109,6 +109,7 @@ ReportJson settingsJson(const SettingsDescription& settings) {
     json["maxImpacts"] = settings.maxImpacts;
     setIfGiven(json, "maxSpeed", settings.maxSpeed);
     json["sleep"] = settings.sleep;
+    json["sleepSpeed"] = settings.sleepSpeed;
     json["broadphase"] = namesOf<SceneBroadphase>()[static_cast<std::size_t>(settings.broadphase)];
     setIfGiven(json, "toiTolerance", settings.toiTolerance);
     setIfGiven(json, "maxPenetration", settings.maxPenetration);
