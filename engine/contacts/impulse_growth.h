@@ -27,9 +27,10 @@ inline bool wasStill(const Contact& contact, const Body& a, const Body& b) {
     return (contact.dynamicA && wasStill(a)) || (contact.dynamicB && wasStill(b));
 }
 
-/// @param factor  of the length of the sub-steps
-inline void scaleToSubStep(Contact& contact, Real factor, bool wasStill) {
-    const bool mayBeBlow = factor > 1 && !wasStill;
+/// @param factor     of the length of the sub-steps
+/// @param isCarried  what it has is what it carried in a longer step before, if it was pressed in several
+inline void scaleToSubStep(Contact& contact, Real factor, bool wasStill, bool isCarried = false) {
+    const bool mayBeBlow = factor > 1 && !wasStill && !(isCarried && contact.pressedOn);
     const Real own = mayBeBlow ? (contact.pressedOn ? std::min(factor, kMostGrowth) : Real(1)) : factor;
     for (std::size_t k = 0; k < static_cast<std::size_t>(contact.manifold.count); ++k) {
         contact.normalImpulse[k] *= own;

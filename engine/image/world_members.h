@@ -74,8 +74,8 @@ constexpr auto allMembers(T& w) {
                // What the last step did, and when it was.
                w.contactEvents, w.eventsToCome, w.eventsBetween, leftOut(w.eventPlaces), leftOut(w.sortedEvents),
                w.jointBreaks, w.bodiesPutBack, w.bodiesFellAsleep, w.lostTime, w.impactPoses, w.counters, w.stageTimes,
-               w.forcesGiven, w.pushedAsleep, w.steps, w.lastDt, w.closingTime, w.closingStretch, w.recentSteps,
-               w.wokenBySteps);
+               w.forcesGiven, w.pushedAsleep, w.steps, w.lastDt, w.closingTime, w.closingStretch, w.remainder,
+               leftOut(w.remainderLoads), w.recentSteps, w.wokenBySteps);
     static_assert(areAllListed<WorldState>(1 + decltype(all)::kCount), "the one more is the base, `Workers`");
     return all;
 }

@@ -26,9 +26,9 @@ constexpr double kHoldTime = 4;
 constexpr double kLongestHeld = 1.0 / 15;
 /// What takes so many times as long as all of them is a hitch. When the next one is another it counts, as this much.
 constexpr double kHitchRatio = 1.5;
-/// Impulses of joints become those of the new step where that is up to so many times as long, or short. Grown in
+/// Impulses of joints become those of the new step where that is up to so many times as long, or shorter. Grown in
 /// proportion farther, a jerk would be as well (a net that hung in steps of 1/60 s and 0.1 ms by turns rose by half a
-/// metre); those that start from too little sag, and in steps that vary swing for ever.
+/// metre), unless they are still those of a long step (remainder_loads.h).
 constexpr Real kMostJointGrowth = 2;
 
 void noteStep(RecentSteps& recent, double before, double dt) {
@@ -44,7 +44,8 @@ void noteStep(RecentSteps& recent, double before, double dt) {
 void scaleContacts(WorldState& world, Real factor) {
     for (const ContactProbe& probe : world.probes) {
         Contact& contact = world.contacts[probe.contact];
-        scaleToSubStep(contact, factor, wasStill(contact, world.bodies[contact.bodyA], world.bodies[contact.bodyB]));
+        scaleToSubStep(contact, factor, wasStill(contact, world.bodies[contact.bodyA], world.bodies[contact.bodyB]),
+                       world.remainder.isOne);
     }
 }
 
@@ -53,7 +54,7 @@ bool holdsAwake(const WorldState& world, const JointTie& tie) {
 }
 
 void scaleJoints(WorldState& world, Real factor) {
-    if (!(factor >= 1 / kMostJointGrowth && factor <= kMostJointGrowth)) { return; }
+    if (factor > kMostJointGrowth && !world.remainder.isOne) { return; }
     for (const std::uint32_t i : world.activeJoints) {  // of the last step: some may be gone since, or asleep
         if (holdsAwake(world, world.jointTies[i])) { scaleStart(world.joints[i], factor); }
     }

@@ -14,6 +14,7 @@
 #include "../solve/driven_joints.h"
 #include "../solve/joint_rest.h"
 #include "../solve/joint_start.h"
+#include "../solve/remainder_loads.h"
 #include "../solve/step_change.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -94,6 +95,7 @@ void prepareStep(WorldState& world, double dt) {
     if (!world.unmeasured.empty()) { measureAnew(world); }
     const double before = world.lastDt;
     if (dt != before) { changeStep(world, dt); }
+    if (dt != before || world.remainder.isOne) { noteStepLength(world, dt); }
     const bool varies = dt != before || world.closingTime > dt || world.recentSteps.longest < dt;
     if (varies) { world.closingTime = closingTimeAfter(world, before, dt); }
     if (world.closingStretch > 1) { world.closingStretch = closingStretchOf(world, dt); }
@@ -124,6 +126,7 @@ void formIslands(WorldState& world, double dt) {
 }
 
 void solve(WorldState& world, double dt) {
+    if (world.remainder.isOne) { rememberLoads(world); }
     moveFreeBodies(world, dt);
     if (world.fastIslands.any) { beginFastIslands(world, dt); }
     const bool mayLand = !world.landings.meeting.empty();
@@ -147,6 +150,7 @@ void finishStep(WorldState& world, double dt) {
     if (world.anyRestLoads) { loosenMoving(world, dt); }
     if (!world.activeJoints.empty()) { breakJoints(world); }
     if (!world.drivenJoints.empty()) { endDriven(world); }
+    if (world.remainder.isOne) { goOnWithLoads(world); }
     if (world.watched) { joinCaps(world, dt); }
     moveProxiesAndSortEvents(world);
     world.stepped = world.awake;

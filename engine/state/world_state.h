@@ -46,6 +46,7 @@
 #include "pairs_of_shapes.h"
 #include "parked_contacts.h"
 #include "recent_steps.h"
+#include "remainder_steps.h"
 #include "sensor_sweeps.h"
 #include "shape.h"
 #include "sleeping_pairs.h"
@@ -195,7 +196,9 @@ struct WorldState : Workers {
     double lastDt = 0;                        ///< of the last step, s; predicts how far boxes must reach
     double closingTime = 0;     ///< s, the step or more: errors are closed as in steps of this length (step_change.h)
     double closingStretch = 1;  ///< so many times that, after steps of fewer sub-steps
-    RecentSteps recentSteps;    ///< as long as they vary (step_change.h)
+    RemainderSteps remainder;
+    Scratch<RemainderLoads> remainderLoads;  ///< of this step
+    RecentSteps recentSteps;                 ///< as long as they vary (step_change.h)
     std::uint64_t wokenBySteps = 0;  ///< `counters.wokeUp` after the last step: what is above it was woken by calls
 };
 
