@@ -307,7 +307,7 @@ double longestTurning(const Course& course, double rest, double most) {
 /// Seconds of any part of an island with a whirl (whirls.h): so short that it turns by little, but no shorter than half
 /// of the tries allow.
 double longestOfWhirl(const Course& course, int mostTries) {
-    const double spin = whirlOf(course.world, course.island.members);
+    const double spin = fastestWhirl(course.world, course.island.members);
     return spin > 0 ? std::max(kWhirlTurn / spin, 2 * course.dt / mostTries) : course.dt;
 }
 
@@ -339,7 +339,7 @@ double firstImpactOf(WorldState& world, std::span<const std::uint32_t> members, 
         if (scratch.isSunk) { world.bodies[slot].sunk = true; }
         if (impact.hit) { first = impact.fraction; }
     }
-    if (meetAmongMembers(world, members)) { first = firstMeetingOf(world, members, part, first, scratch); }
+    if (mayMembersMeet(world, members)) { first = firstMeetingOf(world, members, part, first, scratch); }
     return first;
 }
 

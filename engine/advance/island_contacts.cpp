@@ -134,7 +134,7 @@ void collideIslandContacts(WorldState& world, IslandDesk& desk, double time, Gro
             if (!own.def.sensor) { findGround(world, island, own, slot, length, ground); }
         }
     }
-    if (meetAmongMembers(world, island.members)) { findMembersMet(world, island); }
+    if (mayMembersMeet(world, island.members)) { findMembersMet(world, island); }
     rememberPoints(island);
     island.slides.resize(island.contacts.size());
     ContactBatches batches(world, [](ContactProbe*, const Contact&, const Transform&) {});

@@ -54,7 +54,7 @@ double fastestSpin(const WorldState& world, const AdvancingIsland& island, Spinn
 }
 
 bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, bool isJointed, double dt) {
-    if (whirlOf(world, members) > 0) { return false; }
+    if (fastestWhirl(world, members) > 0) { return false; }
     return fastestSpin(world, members, Spinners::all) * dt <= (isJointed ? kMaxTurn : kMaxLooseTurn);
 }
 

@@ -4,7 +4,7 @@
 
 #include "../state/body.h"
 #include "../state/contact.h"
-#include "../state/shape.h"
+#include "../state/no_index.h"
 #include "../state/tolerances.h"
 
 /// What contacts carry from one sub-step to the next, as its length changes.

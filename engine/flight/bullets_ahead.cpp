@@ -129,7 +129,7 @@ bool meetsMembers(const WorldState& world, std::uint32_t slot) {
     return isJointedBullet(world, slot) || isWhirl(world, slot);
 }
 
-bool meetAmongMembers(const WorldState& world, std::span<const std::uint32_t> members) {
+bool mayMembersMeet(const WorldState& world, std::span<const std::uint32_t> members) {
     if (world.jointChains.bullets.empty() && world.bulletWork.whirls.empty()) { return false; }
     return std::any_of(members.begin(), members.end(), [&](std::uint32_t slot) { return meetsMembers(world, slot); });
 }

@@ -21,7 +21,7 @@ void tieAhead(WorldState& world);
 bool isJointedBullet(const WorldState& world, std::uint32_t slot);
 /// Whether a body is swept against the other members of its island: such a bullet, or a whirl (whirls.h).
 bool meetsMembers(const WorldState& world, std::uint32_t slot);
-bool meetAmongMembers(const WorldState& world, std::span<const std::uint32_t> members);
+bool mayMembersMeet(const WorldState& world, std::span<const std::uint32_t> members);
 
 /// The way of a body in this step if nothing but forces act on it, without its turning; and a box of it, with room for
 /// what leads it aside.

@@ -256,7 +256,7 @@ void findWhirls(WorldState& world, Real dt) {
 
 bool isWhirl(const WorldState& world, std::uint32_t slot) { return whirlAt(world, slot) != nullptr; }
 
-double whirlOf(const WorldState& world, std::span<const std::uint32_t> members) {
+double fastestWhirl(const WorldState& world, std::span<const std::uint32_t> members) {
     if (world.bulletWork.whirls.empty() || members.size() > kMostMembers) { return 0; }
     double fastest = 0;
     for (const std::uint32_t slot : members) {

@@ -24,6 +24,6 @@ void findWhirls(WorldState& world, Real dt);
 bool isWhirl(const WorldState& world, std::uint32_t slot);
 /// rad/s at which the fastest of the members whirls within the step, at least; 0: none does, or there are too many
 /// of them to go through the step in so many parts.
-double whirlOf(const WorldState& world, std::span<const std::uint32_t> members);
+double fastestWhirl(const WorldState& world, std::span<const std::uint32_t> members);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -88,8 +88,8 @@ void listBodies(WorldState& world) {
     });
 }
 
-/// Such a bullet may meet all other members of its island (member_meetings.h).
-bool isOfJointedBullet(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
+/// Whether one of the two is swept against the other members of its island (member_meetings.h).
+bool mayMeetMember(const WorldState& world, std::uint32_t bodyA, std::uint32_t bodyB) {
     if (world.jointChains.bullets.empty() && world.bulletWork.whirls.empty()) { return false; }
     return meetsMembers(world, bodyA) || meetsMembers(world, bodyB);
 }
@@ -102,7 +102,7 @@ void promoteClashing(WorldState& world) {
     promoteCandidatesOf(world, [&](const ContactPair& pair) {
         const std::uint32_t number = fast.numbers[pair.bodyA];
         return number != kNoIndex && number == fast.numbers[pair.bodyB] &&
-               (fast.bodies.of(number).size() <= kMostClashing || isOfJointedBullet(world, pair.bodyA, pair.bodyB));
+               (fast.bodies.of(number).size() <= kMostClashing || mayMeetMember(world, pair.bodyA, pair.bodyB));
     });
 }
 
@@ -206,7 +206,7 @@ bool isInside(const WorldState& world, const Contact& contact) {
 /// What does not touch yet, and comes to do so where the bullet meets it.
 bool mayMeet(const WorldState& world, const Contact& contact) {
     const std::vector<std::uint32_t>& numbers = world.fastIslands.numbers;
-    return numbers[contact.bodyA] == numbers[contact.bodyB] && isOfJointedBullet(world, contact.bodyA, contact.bodyB);
+    return numbers[contact.bodyA] == numbers[contact.bodyB] && mayMeetMember(world, contact.bodyA, contact.bodyB);
 }
 
 void gather(WorldState& world, AdvancingIsland& fast, std::size_t island) {
@@ -219,11 +219,11 @@ void gather(WorldState& world, AdvancingIsland& fast, std::size_t island) {
     fast.sources.clear();
     fast.sourceProbes.clear();
     fast.pointsBefore.clear();
-    const bool mayMembersMeet = meetAmongMembers(world, bodies);
+    const bool mayMeetOthers = mayMembersMeet(world, bodies);
     for (const std::uint32_t index : islands.contacts.of(island)) {
         const std::uint32_t source = world.probes[index].contact;
         const Contact& contact = world.contacts[source];
-        if (!isInside(world, contact) && !(mayMembersMeet && mayMeet(world, contact))) { continue; }
+        if (!isInside(world, contact) && !(mayMeetOthers && mayMeet(world, contact))) { continue; }
         fast.contacts.push_back(world.contacts[source]);
         fast.sources.push_back(source);
         fast.sourceProbes.push_back(index);

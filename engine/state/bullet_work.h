@@ -8,7 +8,7 @@
 #include "../../broadphase/wide_tree.h"
 #include "../../shapes/raw_vector.h"
 #include "flight_work.h"
-#include "shape.h"
+#include "no_index.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -61,7 +61,7 @@ struct BulletMeeting {
 
 /// A bullet that joints hold, and a dynamic body that it may meet in this step, or a whirl (in place of the bullet) and
 /// a bullet: slots.
-struct BulletAhead {
+struct AheadPair {
     std::uint32_t bullet = 0;
     std::uint32_t other = 0;
 };
@@ -108,7 +108,7 @@ struct BulletWork {
     bool areSomeAtRest = false;  ///< bullets that look for nobody: they sleep, or hardly move
     double dt = 0;
 
-    std::vector<BulletAhead> ahead;        ///< what jointed bullets may meet (bullets_ahead.h), and whirls
+    std::vector<AheadPair> ahead;          ///< what jointed bullets may meet (bullets_ahead.h), and whirls
     std::vector<Whirl> whirls;             ///< of this step, by body
     std::vector<WhirlMeeting> nearWhirls;  ///< scratch
     std::vector<Aabb> whirlBoxes;          ///< scratch

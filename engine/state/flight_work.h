@@ -14,7 +14,7 @@
 #include "../events.h"
 #include "body.h"
 #include "chain_passer.h"
-#include "shape.h"
+#include "no_index.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -8,7 +8,7 @@
 
 #include "../../shapes/listed_members.h"
 #include "contact.h"
-#include "shape.h"
+#include "no_index.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

@@ -7,10 +7,10 @@
 #include "../../shapes/chain.h"
 #include "../../shapes/polygon.h"
 #include "../shape_def.h"
+#include "no_index.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
-inline constexpr std::uint32_t kNoIndex = 0xFFFFFFFFu;
 inline constexpr auto kNoProxy = static_cast<ProxyId>(kNoIndex);
 
 /// A convex polygon on a body, or one segment of a chain. The segments of a chain are shapes of their own, linked in

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "body.h"
-#include "shape.h"
+#include "no_index.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
