@@ -19,11 +19,12 @@ namespace {
 /// who bounces together takes as long as all else, and what of it is left undone is lost. (Of 400 elastic disks that
 /// jostle each other 18 % of their energy was left after a second that way, and is 67 % in turn.)
 constexpr std::size_t kMostReflected = 256;
-/// Of 25 or more in profile `fast`, that took longer than all else in their solves (`swept bench world`, spinner), and
-/// in crowds a quarter of theirs.
-constexpr std::size_t kMostReflectedOfCrowd = 24;
-/// Of no more that bounce together each is a constraint on its own, and all others take the short way into blocks: one
-/// bouncy ball in a pile took everybody off it before. More of them are solved in blocks themselves.
+/// Of hundreds in profile `fast`, that took longer than all else in their solves (`swept bench world`, spinner), and in
+/// crowds a quarter of theirs; of so many (21 balls racked have 45) it takes up to a third of a step.
+constexpr std::size_t kMostReflectedOfCrowd = 64;
+/// Of no more that bounce together, or of fewer than all others, each is a constraint on its own, and those others take
+/// the short way into blocks: one bouncy ball in a pile took everybody off it before. More of them are solved in blocks
+/// themselves.
 constexpr std::size_t kMostAlone = 24;
 
 /// As `jointSoftness` has it of iterated joints. A whole step, after one as long, has the sub-steps that it asks for.
@@ -75,7 +76,8 @@ ContactWay linkContacts(const WorldState& world, const TiedGroup& group, const S
     const bool isCrowd = world.settings.profile == Profile::fast || group.effort.isCrowd;
     const std::size_t bouncing = contacts.link();
     const bool inTurn = bouncing > (isCrowd ? kMostReflectedOfCrowd : kMostReflected);
-    const bool areLinked = bouncing <= kMostAlone || inTurn;
+    const bool areFew = bouncing <= kMostAlone || 2 * bouncing < group.desk.batch.links.size();
+    const bool areLinked = areFew || inTurn;
     if (!areLinked) { contacts.unlink(); }
     if (areLinked && bouncing > 0) { contacts.letBounce(inTurn); }
     return {bouncing, inTurn, areLinked};
