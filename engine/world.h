@@ -170,10 +170,12 @@ public:
     void visitJoints(BodyId id, FunctionRef<void(JointId)> visit) const;
 
     // --- shapes
-    /// One of a static body wakes nobody: what sleeps where it is put sleeps on, in it, until something else wakes it.
-    /// A segment without a radius collides, on a dynamic body, as if it had one of 1/4096 of its length.
-    /// Errors: as of `validate` (polygon.h); `negative` (density, friction); `outOfRange` with "restitution", the two
-    /// mixings, and in f64 "density" (of dynamic bodies; `isWeighable` in mass.h); `notFinite`.
+    /// The velocity of a dynamic body that was in no step yet is that of its centre, wherever shapes put that. Else,
+    /// and whenever shapes go or have another density, all its points go on as they did. One of a static body wakes
+    /// nobody: what sleeps where it is put sleeps on, in it, until something else wakes it. A segment without a radius
+    /// collides, on a dynamic body, as if it had one of 1/4096 of its length. Errors: as of `validate` (polygon.h);
+    /// `negative` (density, friction); `outOfRange` with "restitution", the two mixings, and in f64 "density" (of
+    /// dynamic bodies; `isWeighable` in mass.h); `notFinite`.
     Result<ShapeId> addShape(BodyId body, const Polygon& polygon, const ShapeDef& def = {});
     /// A chain of one-sided segments, on static and kinematic bodies; one id for all of it. Solid on the left of its
     /// direction: ground is listed from right to left, a counter-clockwise loop is solid inside (to queries it is not:

@@ -46,7 +46,7 @@ void weigh(WorldState& world, std::span<const std::uint32_t> shapes) {
     }
 }
 
-void updateMass(WorldState& world, std::uint32_t slot) {
+void updateMass(WorldState& world, std::uint32_t slot, bool isBuilt) {
     Body& body = world.bodies[slot];
     noteTravel(world, slot);  // with the radius of before
     const bool wasMassless = isMassless(body);
@@ -62,10 +62,8 @@ void updateMass(WorldState& world, std::uint32_t slot) {
     BodyMotion& motion = world.motions[slot];
     const DVec2 before = motion.center;
     motion.center = apply(motion.pose, center);
-    // The velocity given is that of the centre of mass, wherever the first shapes put it. Later all points go on as
-    // they did.
     const Vec2 carried = motion.velocity + cross(motion.angularVelocity, toReal(motion.center - before));
-    if (!body.fresh && isInRange(carried)) { motion.velocity = carried; }
+    if (!isBuilt && isInRange(carried)) { motion.velocity = carried; }
     body.startCenter += motion.center - before;
     noteNewCenter(world, slot, motion.center - before);
     body.localCenter = center;

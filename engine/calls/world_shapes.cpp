@@ -131,7 +131,8 @@ Result<ShapeId> insert(WorldState& world, std::uint32_t body, Shape shape, Real 
 /// @param first  of those that were added, in the list of the body
 void refresh(WorldState& world, std::uint32_t body, std::size_t first) {
     const BodyTravel before = world.travels[body];
-    updateMass(world, body);
+    const bool isAdded = first < world.bodies[body].shapes.size();
+    updateMass(world, body, isAdded && world.bodies[body].fresh);
     if (!world.bodies[body].fresh) { rouse(world, body); }  // what was made asleep sleeps on
     updateProxiesFrom(world, body, first, before);
 }
@@ -180,7 +181,7 @@ private:
             body.shapes.pop_back();
             removeShapeSlot(world_, slot);
         }
-        if (body.isDynamic()) { updateMass(world_, body_); }
+        if (body.isDynamic()) { updateMass(world_, body_, body.fresh); }
     }
 
     WorldState& world_;

@@ -52,7 +52,7 @@ struct Body {
     std::uint32_t holdingJoints = 0;     ///< of `joints`, those that hold (`Joint::holds`)
 
     bool awake = false;
-    bool fresh = true;            ///< was in no step yet: asleep or awake, and as fast, as it was made
+    bool fresh = true;            ///< was in no step yet: asleep or awake as it was made
     bool isPut = false;           ///< elsewhere since the last step, or back into the world: it did not move there
     bool touchesDynamic = false;  ///< this step: contact points with a dynamic body
     bool hasContact = false;      ///< this step: contact points with anything solid

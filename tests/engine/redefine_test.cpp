@@ -108,23 +108,6 @@ TEST(Redefine, SensorAndBack) {
     EXPECT_GT(world.position(ball).x, 3);
 }
 
-TEST(Redefine, DensityKeepsTheMotionOfAllPoints) {
-    World world = makeWorld(0);
-    const BodyId body = must(world.createBody(dynamicAt({0, 0}, {}, 2)));
-    must(world.addShape(body, must(makeBox(vec(0.5, 0.5), vec(-1, 0)))));
-    const ShapeId right = must(world.addShape(body, must(makeBox(vec(0.5, 0.5), vec(1, 0)))));
-    run(world, 1);
-    must(world.setPose(body, {0, 0}, 0));
-    EXPECT_NEAR(velocityOf(world, body).y, 0, 1e-6);
-    ShapeDef light = world.definition(right);
-    light.density = 0;
-    must(world.redefine(right, light));
-    EXPECT_NEAR(world.centerOfMass(body).x, -1, 1e-6);
-    EXPECT_NEAR(velocityOf(world, body).y, -2, 1e-5);  // ω·x of the centre where it is now
-    must(world.destroyShape(right));
-    EXPECT_NEAR(velocityOf(world, body).y, -2, 1e-5);
-}
-
 TEST(Redefine, TypesOfABody) {
     World world = makeWorld();
     addStatic(world, box(20, 1));
