@@ -8,6 +8,7 @@
 #include "../contacts/contact_batch.h"
 #include "../contacts/contact_making.h"
 #include "../contacts/contact_manifold.h"
+#include "../contacts/decks.h"
 #include "../contacts/ghosts.h"
 #include "../contacts/may_touch.h"
 #include "../contacts/new_pairs.h"
@@ -153,6 +154,7 @@ void collideIslandContacts(WorldState& world, IslandDesk& desk, double time, Gro
     letThrough(world, island.contacts, renewed, Moment::partBegins, island.crossing, island.chainContacts);
     dropGhosts(world, island.contacts, island.slides, renewed, island.members, island.nextGroundContact,
                world.serialTasks);
+    dropGhostsOfDecks(world, island.contacts, renewed);
     desk.counters.manifolds += island.contacts.size();
 }
 

@@ -2,6 +2,7 @@
 
 #include "../bodies/awake.h"
 #include "../bodies/body_mass.h"
+#include "../bodies/flush_pieces.h"
 #include "../bodies/line_skin.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../state/world_state.h"
@@ -27,7 +28,10 @@ void changeType(WorldState& world, std::uint32_t slot, BodyType type) {
         Shape& shape = world.shapes[index];
         if (!shape.isChainSegment) { setSkin(shape, body.isDynamic()); }
     }
-    if (body.isDynamic()) { weigh(world, body.shapes); }
+    if (body.isDynamic()) {
+        weigh(world, body.shapes);
+        markFlushPieces(world, slot, 0);
+    }
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -6,9 +6,11 @@
 #include "../bodies/awake.h"
 #include "../bodies/body_mass.h"
 #include "../bodies/body_measures.h"
+#include "../bodies/flush_pieces.h"
 #include "../bodies/line_skin.h"
 #include "../bodies/proxies.h"
 #include "../bodies/world_boxes.h"
+#include "../contacts/decks.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../state/number_range.h"
 #include "../state/world_state.h"
@@ -169,6 +171,7 @@ public:
     }
 
     void finish() {
+        if (world_.bodies[body_].isDynamic()) { notePiecesOf(world_, markFlushPieces(world_, body_, first_)); }
         refreshWith(world_, body_, first_);
         areWhole_ = true;
     }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "../../shapes/manifold_batch.h"
+#include "decks.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -81,6 +82,7 @@ void fillContact(WorldState& world, ContactProbe& probe, std::size_t place, std:
     probe.proxyA = world.shapes[contact.shapeA].proxy;
     probe.proxyB = world.shapes[contact.shapeB].proxy;
     probe.isPlain = contact.dynamicA && contact.dynamicB && !contact.sensor;
+    probe.isOfDeck = contact.pieceA || contact.pieceB;
     probe.isUnseen = contact.sensor || !(world.bodies[contact.bodyA].awake || world.bodies[contact.bodyB].awake);
     probe.bounces = contact.restitution > 0;
     probe.isBelt = contact.isBelt;
@@ -133,6 +135,7 @@ Contact contactOf(const WorldState& world, std::uint32_t shapeA, std::uint32_t s
     contact.sensor = a.def.sensor;
     contact.ofChain = a.isChainSegment && !contact.sensor;
     contact.batch = batchKindOf(a, b);
+    notePieces(world, contact);
     return contact;
 }
 

@@ -127,7 +127,10 @@ bool dropGhostsOf(const WorldState& world, const GroundContacts& contacts) {
 }  // namespace
 
 GroundContact groundContactOf(const WorldState& world, const Contact& contact) {
-    const bool groundIsA = !contact.dynamicA;
+    return groundContactOf(world, contact, !contact.dynamicA);
+}
+
+GroundContact groundContactOf(const WorldState& world, const Contact& contact, bool groundIsA) {
     const Vec2 normal = rotate(world.motions[contact.bodyA].pose.rotation, contact.manifold.normal);
     const Shape& ground = world.shapes[groundIsA ? contact.shapeA : contact.shapeB];
     const Shape& own = world.shapes[groundIsA ? contact.shapeB : contact.shapeA];

@@ -42,6 +42,8 @@ struct GroundContact {
 };
 
 GroundContact groundContactOf(const WorldState& world, const Contact& contact);
+/// Likewise of two dynamic bodies, of which either may be as the ground.
+GroundContact groundContactOf(const WorldState& world, const Contact& contact, bool groundIsA);
 
 /// Whether the other ground has a face in the plane of this one, to within the slop. Not where ground bends, however
 /// little: what meets one side of a bend goes on into the other one.

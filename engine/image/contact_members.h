@@ -28,28 +28,30 @@ constexpr auto allMembers(T& traits) {
     return listed(traits.points, flagsIn(traits));
 }
 
-constexpr Flags<6> flagsOf(const ContactProbe& p) {
-    return {p.isIdle, p.isPlain, p.isUnseen, p.wasKept, p.areUp, p.turns};
+constexpr Flags<7> flagsOf(const ContactProbe& p) {
+    return {p.isIdle, p.isPlain, p.isUnseen, p.isOfDeck, p.wasKept, p.areUp, p.turns};
 }
-constexpr void setFlags(ContactProbe& p, const Flags<6>& flags) {
+constexpr void setFlags(ContactProbe& p, const Flags<7>& flags) {
     p.isIdle = flags[0];
     p.isPlain = flags[1];
     p.isUnseen = flags[2];
-    p.wasKept = flags[3];
-    p.areUp = flags[4];
-    p.turns = flags[5];
+    p.isOfDeck = flags[3];
+    p.wasKept = flags[4];
+    p.areUp = flags[5];
+    p.turns = flags[6];
 }
 template <MaybeConst<ContactProbe> T>
 constexpr auto allMembers(T& probe) {
-    static_assert(areAllListed<ContactProbe>(6, 6));
+    static_assert(areAllListed<ContactProbe>(6, 7));
     return listed(baseOf<ContactPair>(probe), baseOf<TouchTraits>(probe), probe.state, flagsIn(probe), probe.contact,
                   probe.apartUntil, probe.offset);
 }
 
-constexpr Flags<8> flagsOf(const Contact& c) {
-    return {c.dynamicA, c.dynamicB, c.sensor, c.ofChain, c.passes, c.wasSeen, c.isBelt, c.resistsRolling};
+constexpr Flags<10> flagsOf(const Contact& c) {
+    return {c.dynamicA, c.dynamicB, c.sensor, c.ofChain, c.passes,
+            c.wasSeen,  c.isBelt,   c.pieceA, c.pieceB,  c.resistsRolling};
 }
-constexpr void setFlags(Contact& c, const Flags<8>& flags) {
+constexpr void setFlags(Contact& c, const Flags<10>& flags) {
     c.dynamicA = flags[0];
     c.dynamicB = flags[1];
     c.sensor = flags[2];
@@ -57,11 +59,13 @@ constexpr void setFlags(Contact& c, const Flags<8>& flags) {
     c.passes = flags[4];
     c.wasSeen = flags[5];
     c.isBelt = flags[6];
-    c.resistsRolling = flags[7];
+    c.pieceA = flags[7];
+    c.pieceB = flags[8];
+    c.resistsRolling = flags[9];
 }
 template <MaybeConst<Contact> T>
 constexpr auto allMembers(T& contact) {
-    static_assert(areAllListed<Contact>(12, 8));
+    static_assert(areAllListed<Contact>(12, 10));
     return listed(baseOf<ContactRow>(contact), contact.extentA, contact.extentB, contact.verticesA, contact.verticesB,
                   flagsIn(contact), contact.batch, contact.touching, contact.pressed, contact.pressedOn, contact.isKept,
                   contact.kept, contact.memory);

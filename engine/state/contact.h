@@ -55,10 +55,12 @@ struct alignas(kCacheLine) Contact : ContactRow {
     bool dynamicA : 1 = false;  ///< the body is
     bool dynamicB : 1 = false;
     bool sensor : 1 = false;
-    bool ofChain : 1 = false;         ///< A is a chain segment, and no sensor; what follows is of such ones alone
-    bool passes : 1 = false;          ///< it comes through from the back (chain_passage.h)
-    bool wasSeen : 1 = false;         ///< by a step before
-    bool isBelt : 1 = false;          ///< of any contact: friction drags along a surface, as the shapes tell
+    bool ofChain : 1 = false;  ///< A is a chain segment, and no sensor; what follows is of such ones alone
+    bool passes : 1 = false;   ///< it comes through from the back (chain_passage.h)
+    bool wasSeen : 1 = false;  ///< by a step before
+    bool isBelt : 1 = false;   ///< of any contact: friction drags along a surface, as the shapes tell
+    bool pieceA : 1 = false;   ///< A is one of several flush pieces of a dynamic body (decks.h)
+    bool pieceB : 1 = false;
     bool resistsRolling : 1 = false;  ///< likewise: where it has one point (`ShapeDef::rollingResistance`)
     BatchKind batch = BatchKind::none;
     bool touching = false;   ///< begin was reported, end was not
@@ -123,6 +125,7 @@ struct ContactProbe : ContactPair, TouchTraits {
         false;  ///< of dynamic bodies, and no sensor: what follows is all that is asked about it at first
     bool isUnseen : 1 = false;  ///< of a sensor, or made of what sleeps, and no step looked at it: the first one does,
                                 ///< though all may sleep: what touches is told, and woken by what becomes of the other
+    bool isOfDeck : 1 = false;  ///< one of them is one of several flush pieces (decks.h)
     bool wasKept : 1 = false;   ///< its manifold was, when it was near last: most likely it is again
     bool areUp : 1 = false;     ///< of state `near`: what of both is dynamic was awake, as the stage of contacts began;
                                 ///< not of sensors

@@ -30,6 +30,7 @@ struct Shape {
     bool isChainSegment = false;
     bool isBatched = false;  ///< `collidesInBatches`
     bool isLine = false;     ///< of no thickness: the radius of `polygon`, if it has one, is a skin (line_skin.h)
+    bool isPiece = false;    ///< flush with another one of the same dynamic body, or was (flush_pieces.h)
     ClosedEnds closedEnds;   ///< of a chain segment
 };
 

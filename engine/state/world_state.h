@@ -29,6 +29,7 @@
 #include "clash_work.h"
 #include "contact.h"
 #include "contact_lists.h"
+#include "deck_contacts.h"
 #include "effort_trial.h"
 #include "energy_account.h"
 #include "event_places.h"
@@ -125,6 +126,8 @@ struct WorldState : Workers {
     std::vector<BodyTravel> travels;                     ///< by body slot
     Stirs stirs;                                         ///< what something heavy is about to strike (stirred.h)
     std::vector<Aabb> neededBoxes;                       ///< by proxy: `neededBox` as of this step, or more
+    bool anyPieces = false;                              ///< there is, or was, a shape that is one (`Shape::isPiece`)
+    Scratch<DeckContacts> deckContacts;                  ///< by shape slot: see dropGhostsOfDecks
     std::vector<std::uint32_t> firstGroundContact;       ///< by body slot: see dropGhosts
     std::vector<std::uint32_t> nextGroundContact;        ///< by contact
     Scratch<std::vector<Slide>> slides;                  ///< by contact, of this step, until ghosts are dropped

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "../state/world_state.h"
+
+/// Ghosts on decks: a dynamic body may be made of flush pieces as well, as a raft, the roof of a train or a ship of
+/// blocks is. What lies, slides or rolls on it meets their seams as those of ground (ghosts.h), and so does ground that
+/// such a body slides over. So a contact yields to another one of the same shape with another piece of the same body.
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// Drops the ghosts among contacts with pieces, or turns them to the faces that are there.
+/// @param renewed  indices of contacts whose manifold is new, among others
+/// @return whether there were any
+bool dropGhostsOfDecks(WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed);
+
+/// What tells that a contact is one with a piece. (It is asked before the shapes are.)
+void notePieces(const WorldState& world, Contact& contact);
+/// Of contacts with shapes that are pieces now, and were not when these began.
+void notePiecesOf(WorldState& world, std::span<const std::uint32_t> shapes);
+
+}  // namespace swept::inline SWEPT_PRECISION

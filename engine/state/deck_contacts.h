@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "no_index.h"
+
+namespace swept::inline SWEPT_PRECISION {
+
+/// A contact as that of a shape with a piece of a deck (contacts/decks.h).
+struct DeckContact {
+    std::uint32_t own = 0;          ///< slot of the shape
+    std::uint32_t contact = 0;      ///< index
+    std::uint32_t next = kNoIndex;  ///< place of the next one of the same shape
+    bool deckIsA = false;
+    bool isTaken = false;
+    std::uint8_t rank = 0;  ///< `ghostRank`
+};
+
+/// Places of the first and the last one of a shape.
+struct DeckEnds {
+    std::uint32_t first = kNoIndex;
+    std::uint32_t last = kNoIndex;
+};
+
+/// Of a step; ends and counts are empty before and after.
+struct DeckContacts {
+    std::vector<DeckContact> contacts;
+    std::vector<DeckEnds> ends;        ///< by slot of the shape that meets pieces
+    std::vector<std::uint8_t> counts;  ///< likewise, of pieces: none, one, or two and more
+    std::vector<DeckContact> group;    ///< of one shape with one deck
+};
+
+}  // namespace swept::inline SWEPT_PRECISION
