@@ -55,10 +55,6 @@ constexpr Effort kCrowd{.doublings = -1, .isCrowd = true};
 /// A heap is stirred where so many are on the move as in the smallest crowd, in what sinks in by so little when its
 /// springs become those of half of the sub-steps that nothing gets on the move by that: no heap keeps itself stirred.
 constexpr std::uint32_t kFewestStirring = kFewestInCrowd / kMovingShare;
-/// A net sinks in farther on the springs of a crowd. When they become stiff again, three quarters of that are given
-/// back at once: a square of a speed of up to 2.25 times gravity times the way. What swings no faster than that, and a
-/// margin, is no crowd: it would keep itself swinging. (A welded wall of 80 bricks did, at 0.86 m/s.)
-constexpr double kSwingOfSag = 4;
 /// Moving masses on joints farther apart than this need shorter sub-steps. A light link that the heavy body swings past
 /// whips round with a speed that goes by the root of the ratio, and joints are closed to the second order in the turn
 /// of a sub-step: beyond half a radian that tears them. `swept envelope`, map "chain": 16 sub-steps hold 560 : 1, not
@@ -99,14 +95,6 @@ bool isWeb(const IslandLoad& load) {
 /// carries, and for the heaviest body as well.
 double sagOf(double layers, double heaviest, double give) { return layers * ((layers + 1) / 2 + heaviest) * give; }
 
-/// Whether a net swings, as a whole, faster than the springs of a crowd would make it.
-bool swings(const IslandLoad& load, double gravity, double give) {
-    const auto heaviest = static_cast<double>(heaviestOf(load) / load.lightest);
-    const double size = std::max(load.highest - load.lowest, load.rightmost - load.leftmost);
-    const double sag = sagOf(size / static_cast<double>(load.thinnest), heaviest, give);
-    return static_cast<double>(load.fastest) > kSwingOfSag * gravity * sag;
-}
-
 /// Whether islands that are iterated are many bodies on the move, none of which carries much: as many layers as the
 /// island is high, and the heaviest that lies loose. The springs give way by about h²·|g| under the weight of the body
 /// that they hold. Ragdolls that lie about, or that nothing holds up, are a crowd, too, on the move or about to be (in
@@ -116,10 +104,11 @@ bool isCrowd(const IslandLoad& load, bool rests, double gravity, double dt, int 
     // Joints that carry one another have to have a drive, or be a net: chains tighten.
     const bool isRagdoll = load.joints > 0 && load.powered == load.joints;
     const bool isLoose = isRagdoll && (load.contacts > 0 || !load.isAnchored);
+    const bool isNet = load.hasLoop && load.contacts == 0;
     const bool isPile = load.joints * kMovingShare <= load.bodies && !isTree(load);
     const std::uint32_t fewest = isRagdoll ? kFewestInRagdoll : kFewestInCrowd;
     const auto thinnest = static_cast<double>(load.thinnest);
-    if (load.bodies < fewest || !(isRagdoll || load.isNet || isPile) || !(thinnest > 0)) { return false; }
+    if (load.bodies < fewest || !(isRagdoll || isNet || isPile) || !(thinnest > 0)) { return false; }
     const double h = dt / subStepsFor(kCrowd, subSteps);
     const double give = gravity * h * h;
     const double most = kCrowdErrorRatio * thinnest;
@@ -127,7 +116,7 @@ bool isCrowd(const IslandLoad& load, bool rests, double gravity, double dt, int 
     const auto heaviest = static_cast<double>(load.heaviestLoose / load.lightest);
     const bool isStirred = load.moving >= kFewestStirring && sagOf(layers, heaviest, give) <= most;
     const bool moves = isStirred || kMovingShare * load.moving >= load.bodies;
-    const bool jostles = isLoose || (!rests && (load.isNet ? swings(load, gravity, give) : moves));
+    const bool jostles = isLoose || (!rests && moves);
     return jostles && (layers + heaviest) * give <= most;
 }
 

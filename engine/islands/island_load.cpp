@@ -162,28 +162,6 @@ void addJoints(WorldState& world) {
     }
 }
 
-/// Nets that hang sag by their height, those that span a gap by their breadth.
-void measureNets(WorldState& world) {
-    bool isAny = false;
-    for (const JointChain& chain : world.jointChains.list) {
-        IslandLoad& load = world.islandLoads[world.islands.find(chain.lowest)];
-        load.isNet = load.hasLoop && load.contacts == 0 && load.bodies >= kFewestInCrowd;
-        isAny = isAny || load.isNet;
-        load.leftmost = std::numeric_limits<double>::infinity();
-        load.rightmost = -load.leftmost;
-    }
-    if (!isAny) { return; }
-    const DVec2 up = upIn(world);
-    const DVec2 across{up.y, -up.x};
-    for (const std::uint32_t slot : world.tied) {
-        IslandLoad& load = world.islandLoads[world.islands.rootOf(slot)];
-        if (!load.isNet) { continue; }
-        const double place = dot(across, world.motions[slot].center);
-        load.leftmost = std::min(load.leftmost, place);
-        load.rightmost = std::max(load.rightmost, place);
-    }
-}
-
 void noteRolling(WorldState& world) {
     for (const TouchingPair& pair : world.touching) {
         if (pair.rolls()) { world.islandLoads[world.islands.rootOf(pair.dynamicBody())].resistsRolling = true; }
@@ -198,7 +176,6 @@ void findIslandLoads(WorldState& world) {
     if (world.rollingShapes > 0) { noteRolling(world); }
     if (!world.activeJoints.empty()) {
         addJoints(world);
-        measureNets(world);
         noteContradictions(world);
     }
 }

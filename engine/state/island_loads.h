@@ -25,9 +25,6 @@ struct IslandLoad {
     Real thinnest = 0;  ///< smallest extent, metres
     double lowest = 0;  ///< centre of mass against gravity, metres
     double highest = 0;
-    bool isNet = false;   ///< joints alone hold it together, and close loops; known of as many bodies as make a crowd
-    double leftmost = 0;  ///< centre of mass across gravity, metres; of nets
-    double rightmost = 0;
     Real fastest = 0;             ///< square of the largest speed of a centre of mass, m²/s²
     std::uint32_t moving = 0;     ///< bodies on the move: fast for their size
     Real heaviestLoose = 0;       ///< kg, of the bodies that no joint holds
