@@ -252,6 +252,32 @@ TEST(JointTouching, HeavyThingsOnLightOnesHold) {
     }
 }
 
+/// Two boxes on two hinges that are dropped: the hinges work against each other where they are iterated. (They gaped by
+/// up to 2 mm.)
+TEST(JointTouching, TwoHingesOfTwoBodiesStayClosed) {
+    for (const double ratio : {1.0, 3.0, 7.0}) {
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            Random random(seed);
+            World world = makeWorld(awakeSettings(Profile::accurate));
+            addStatic(world, box(50, 0.5), material(0.6), {0, -0.5});
+            const BodyId light = addBody(world, dynamicAt({0, 2}), box(0.3, 0.2), material(0.6, 0.5));
+            const BodyId heavy = addBody(world, dynamicAt({0.7, 2}), box(0.3, 0.2), material(0.6, 0, ratio));
+            const double aside = random.range(0.02, 0.18);
+            for (const double side : {-aside, aside}) {
+                must(world.createJoint(RevoluteJointDef{between(light, heavy), {0.35, 2 + side}}));
+            }
+            for (int i = 0; i < 120; ++i) {
+                must(world.step(kStep));
+                for (const BodyId body : {light, heavy}) {
+                    world.visitJoints(body, [&](JointId joint) {
+                        EXPECT_LT(world.jointError(joint), 1e-4) << ratio << " : 1, seed " << seed << ", step " << i;
+                    });
+                }
+            }
+        }
+    }
+}
+
 /// What stands elsewhere is solved in the same solve, and has no part in it.
 TEST(JointTouching, WhatStandsApartDoesNotMatter) {
     const auto run = [](bool hasOther) {
