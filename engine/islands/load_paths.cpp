@@ -75,7 +75,6 @@ bool addContact(const LoadSearch& search, const TouchingPair& pair, const Island
         if (!rest.isDirect && separation < -limits.overlap * radius) { return false; }
         LoadPoint& point = search.paths.points.emplace_back(frame);
         point.point = static_cast<std::uint8_t>(i);
-        point.isOverlapped = !rest.isDirect && separation < -limits.gap * radius;
         const Vec2 armA = rotate(a.pose.rotation, contact.manifold.points[i].point) + originFromA;
         const Vec2 armB = armA + fromBToA;
         point.armOfCarried = toDouble(carriesB ? armB : armA);
@@ -86,7 +85,6 @@ bool addContact(const LoadSearch& search, const TouchingPair& pair, const Island
         }
         point.push = search.subSteps * static_cast<double>(contact.normalImpulse[i]);
         point.drag = search.subSteps * static_cast<double>(contact.tangentImpulse[i]);
-        if (pair.areDynamic() && point.isAtSide && point.isOverlapped && !(point.push > 0)) { return false; }
     }
     return true;
 }
@@ -171,7 +169,6 @@ bool balanceBody(const LoadSearch& search, std::uint32_t slot, std::span<LoadPoi
         edge += 2;
         point.push = one + other;
         point.drag = point.friction * (one - other);
-        if (point.isOverlapped && !(point.push > 0)) { return false; }
     }
     return true;
 }
@@ -254,10 +251,6 @@ void handAllDown(const LoadSearch& search) {
     for (std::size_t i = 0; i < ready.size(); ++i) {  // grows as it goes
         IslandRest& rest = restOf(world, ready[i]);
         rest.isSought = rest.isSought && handDown(search, ready[i]);
-    }
-    // Bodies of several shapes may carry each other.
-    for (const std::uint32_t slot : world.tied) {
-        if (search.paths.waiting[slot] > 0) { restOf(world, slot).isSought = false; }
     }
 }
 

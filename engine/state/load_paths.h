@@ -14,7 +14,6 @@ struct LoadPoint {
     std::uint32_t carrier = 0;  ///< of the one that takes its weight; `kNoIndex`: static
     std::uint8_t point = 0;     ///< of the manifold
     bool isAtSide = false;      ///< pushes against gravity hardly or not at all
-    bool isOverlapped = false;  ///< has to press
     double friction = 0;
     DVec2 normal{};        ///< along which it pushes the carried body
     DVec2 tangent{};       ///< a positive tangential impulse does
