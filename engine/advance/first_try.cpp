@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "../flight/chain_crossing.h"
-#include "../solve/lent_energy.h"
 #include "../solve/solve_outcome.h"
 #include "../state/profile.h"
 #include "island_advance.h"
@@ -81,8 +80,6 @@ void remember(WorldState& world, std::size_t island) {
     for (const std::uint32_t joint : fast.joints.of(island)) {
         fast.triedHinges[place.hinge++] = {world.joints[joint].hinge, world.joints[joint].restLoad};
     }
-    const LentEnergy* const lent = lentOf(world, fast.joints.of(island));
-    if (lent != nullptr) { fast.triedPlaces[island].lent = *lent; }
 }
 
 /// Whether they met something, and if so, they are as they were.
@@ -110,8 +107,6 @@ void judge(WorldState& world, std::size_t island, double dt, FlightScratch& scra
         world.joints[joint].hinge = before.hinge;
         world.joints[joint].restLoad = before.restLoad;
     }
-    LentEnergy* const lent = lentOf(world, fast.joints.of(island));
-    if (lent != nullptr) { *lent = place.lent; }
 }
 
 void takeBackContacts(WorldState& world) {

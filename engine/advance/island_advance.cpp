@@ -53,7 +53,6 @@ struct Course {
     bool fits = false;         ///< the next part ends where the one before, taken back, met something
     double subStepBefore = 0;  ///< the part that is being tried
     std::size_t eventsBefore = 0;
-    LentEnergy* lent = lentOf(world, island.jointSlots);
 };
 
 /// Reactions of the joints are means over the step so far.
@@ -122,7 +121,6 @@ void remember(Course& course, bool isTried) {
     course.subStepBefore = course.island.subStep;
     island.jointsBefore.clear();
     for (const std::uint32_t slot : island.jointSlots) { island.jointsBefore.push_back(course.world.joints[slot]); }
-    if (course.lent != nullptr) { island.lentBefore = *course.lent; }
     course.eventsBefore = course.desk.events.size();
 }
 
@@ -134,7 +132,6 @@ void takeBack(Course& course) {
     for (std::size_t i = 0; i < island.jointSlots.size(); ++i) {
         course.world.joints[island.jointSlots[i]] = island.jointsBefore[i];
     }
-    if (course.lent != nullptr) { *course.lent = island.lentBefore; }
     takeBackIslandContacts(course.world, island, isFirstPart(course));
     island.subStep = course.subStepBefore;
     auto& events = course.desk.events;
@@ -224,7 +221,7 @@ void begin(Course& course) {
         course.world.joints[slot].reactionForce = {};
         course.world.joints[slot].reactionTorque = 0;
     }
-    if (course.lent != nullptr) { island.lentAtStart = *course.lent; }
+    if (const LentEnergy* const lent = lentOf(course.world, island.jointSlots)) { island.lentAtStart = *lent; }
 }
 
 /// What the next step and its report need: poses at the start of the step, kinematic bodies there, contacts.

@@ -38,7 +38,6 @@ struct AdvancingIsland {
     std::vector<std::array<Real, 2>> totals;  ///< by contact: impulses of the parts before
     std::vector<Joint> jointsBefore;
     LentEnergy lentAtStart;                        ///< of the step
-    LentEnergy lentBefore;                         ///< before the part
     std::vector<std::uint32_t> nextGroundContact;  ///< by contact: see dropGhosts
     std::vector<ChainPasser> crossing;             ///< what its members are in at the start of the part, in order
     std::vector<std::uint64_t> chainContacts;      ///< scratch of `letThrough`

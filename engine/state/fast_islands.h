@@ -7,7 +7,6 @@
 #include "clash_work.h"
 #include "contact.h"
 #include "joint.h"
-#include "lent_energy_state.h"
 #include "moving_ground.h"
 #include "solve_outcome.h"
 
@@ -25,11 +24,10 @@ struct TriedHinge {
     JointLoad restLoad{};
 };
 
-/// Where an island keeps what such a solve changes: index of its first member and joint there, and its loan.
+/// Where an island keeps what such a solve changes: index of its first member and joint there.
 struct TriedPlace {
     std::size_t body = 0;
     std::size_t hinge = 0;
-    LentEnergy lent{};
 };
 
 /// Islands with something fast in them. Kept for its capacity.
