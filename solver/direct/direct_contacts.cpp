@@ -41,10 +41,6 @@ bool isOpen(const SolverBatch& batch, const ContactConstraint& contact, const Co
     return separation > std::max(ratio * lever, separationRounding(point.anchorA, point.anchorB));
 }
 
-/// What comes nearer by more than this part of what it did, after some of them, is not stopped by more.
-constexpr double kLeftOfSqueezed = 1.0 / 8;
-/// Less than this part of a mover's speed is what rounding and dampers leave of it, and comes nearer to nothing.
-constexpr double kLeastOfSqueezed = 1.0 / 64;
 /// What a mover presses through a wedge carries some times the momentum that all would have at its speed; what is
 /// jammed carries thousands of times that.
 constexpr double kMostOfMomentum = 8;
@@ -208,13 +204,10 @@ void DirectContacts::gatherOf(const Part& part, const SolverBatch& batch, Real h
     }
 }
 
-/// Whether something is between a kinematic body that comes and what does not yield: it still comes nearer, as fast as
-/// if nothing pressed. No impulses stop that. Each solve would add as much again, until friction with such impulses
-/// flings the body away, when iteration takes over. (A box of 0.4 kg under a lift of 1.6 m/s: 5e4 N·s in a sub-step,
-/// 7 km/s.) Or it is jammed, and impulses that have nothing to do with any momentum make it turn or slip after all:
-/// those of the next sub-step are as large, for other places. (A car of a ton that another one, kinematic, rammed into
-/// a corner at 9 m/s, beside a cone of a kilogram: 2e7 N·s in a sub-step; as that was given up, iteration began with
-/// them, and the car had 84 m/s, the cone 1 km/s.)
+/// Whether something is jammed between a kinematic body that comes and what does not yield: impulses that have nothing
+/// to do with any momentum make it turn or slip after all, and those of the next sub-step are as large, for other
+/// places. (A car of a ton that another one, kinematic, rammed into a corner at 9 m/s, beside a cone of a kilogram: 2e7
+/// N·s in a sub-step; as that was given up, iteration began with them, and the car had 84 m/s, the cone 1 km/s.)
 bool DirectContacts::isSqueezed(const SolverBatch& batch, const DirectSystem& system) {
     bool any = false;
     for (Part& part : parts_) {
@@ -229,13 +222,8 @@ bool DirectContacts::isSqueezed(const SolverBatch& batch, const DirectSystem& sy
             speed = std::max(speed, std::fabs(normal.excess));
             const double led = std::max(leadOf(batch, contact.contact->slotA, contact.point->anchorA),
                                         leadOf(batch, contact.contact->slotB, contact.point->anchorB));
-            if (!(led > 0)) { continue; }
-            isDriven = true;
+            isDriven = isDriven || led > 0;
             speed = std::max(speed, led);
-            const double held = std::min(kLeftOfSqueezed * normal.excess, -kLeastOfSqueezed * led);
-            if (!(normal.excess < 0) || system.changedExcess(normal) >= held) { continue; }
-            takesLong_[contact.island] = 1;
-            part.isInVain = any = true;
         }
         if (!isDriven) { continue; }
         double mass = 0;
