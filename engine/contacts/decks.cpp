@@ -26,11 +26,14 @@ Vec2 normalOf(const WorldState& world, const Contact& contact, bool deckIsA) {
 /// listed.
 class DeckLists {
 public:
-    DeckLists(WorldState& world, std::span<const Contact> contacts, std::span<const std::uint32_t> renewed)
-        : scratch_(world.deckContacts), contacts_(contacts), renewed_(renewed) {
+    DeckLists(const WorldState& world, DeckContacts& scratch, std::span<const Contact> contacts,
+              std::span<const std::uint32_t> renewed)
+        : scratch_(scratch), contacts_(contacts), renewed_(renewed) {
         scratch_.contacts.clear();
         scratch_.ends.resize(world.shapes.slotCount());
         scratch_.counts.resize(world.shapes.slotCount(), 0);
+        scratch_.contacts.reserve(2 * renewed.size());  // so that nothing throws while lists are half made
+        scratch_.group.reserve(2 * renewed.size());
         forEachSide([this](std::uint32_t own, std::uint32_t, bool) {
             std::uint8_t& count = scratch_.counts[own];
             count = static_cast<std::uint8_t>(count + (count < 2 ? 1 : 0));
@@ -184,9 +187,10 @@ private:
 
 }  // namespace
 
-bool dropGhostsOfDecks(WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed) {
+bool dropGhostsOfDecks(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
+                       DeckContacts& scratch) {
     if (!world.anyPieces) { return false; }
-    DeckLists lists(world, contacts, renewed);
+    DeckLists lists(world, scratch, contacts, renewed);
     bool any = false;
     lists.take([&](std::span<DeckContact> group) {
         const GhostsOfDeck ghosts(world, contacts, group);

@@ -14,7 +14,8 @@ namespace swept::inline SWEPT_PRECISION {
 /// Drops the ghosts among contacts with pieces, or turns them to the faces that are there.
 /// @param renewed  indices of contacts whose manifold is new, among others
 /// @return whether there were any
-bool dropGhostsOfDecks(WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed);
+bool dropGhostsOfDecks(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
+                       DeckContacts& scratch);
 
 /// What tells that a contact is one with a piece. (It is asked before the shapes are.)
 void notePieces(const WorldState& world, Contact& contact);

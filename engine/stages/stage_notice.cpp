@@ -123,7 +123,7 @@ void listTouching(WorldState& world) {
     if (!hasContacts(world)) { return; }
     bool anyGhost = dropGhosts(world, world.contacts, world.slides, world.lists.ground, world.awake,
                                world.nextGroundContact, *world.loops);
-    anyGhost = dropGhostsOfDecks(world, world.contacts, world.lists.ground) || anyGhost;
+    anyGhost = dropGhostsOfDecks(world, world.contacts, world.lists.ground, world.deckContacts) || anyGhost;
     if (anyGhost || !world.chainPassers.empty()) { distrustGhosts(world); }
     ContactLists& lists = world.lists;
     const std::size_t count = lists.noted.size();

@@ -7,6 +7,7 @@
 #include "../containers/boxed_items.h"
 #include "chain_passer.h"
 #include "contact.h"
+#include "deck_contacts.h"
 #include "joint.h"
 #include "lent_energy_state.h"
 #include "slide.h"
@@ -39,6 +40,7 @@ struct AdvancingIsland {
     std::vector<Joint> jointsBefore;
     LentEnergy lentAtStart;                        ///< of the step
     std::vector<std::uint32_t> nextGroundContact;  ///< by contact: see dropGhosts
+    DeckContacts deckContacts;                     ///< scratch of `dropGhostsOfDecks`
     std::vector<ChainPasser> crossing;             ///< what its members are in at the start of the part, in order
     std::vector<std::uint64_t> chainContacts;      ///< scratch of `letThrough`
 };

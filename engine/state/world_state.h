@@ -127,7 +127,7 @@ struct WorldState : Workers {
     Stirs stirs;                                         ///< what something heavy is about to strike (stirred.h)
     std::vector<Aabb> neededBoxes;                       ///< by proxy: `neededBox` as of this step, or more
     bool anyPieces = false;                              ///< there is, or was, a shape that is one (`Shape::isPiece`)
-    Scratch<DeckContacts> deckContacts;                  ///< by shape slot: see dropGhostsOfDecks
+    Scratch<DeckContacts> deckContacts;                  ///< scratch of `dropGhostsOfDecks`
     std::vector<std::uint32_t> firstGroundContact;       ///< by body slot: see dropGhosts
     std::vector<std::uint32_t> nextGroundContact;        ///< by contact
     Scratch<std::vector<Slide>> slides;                  ///< by contact, of this step, until ghosts are dropped

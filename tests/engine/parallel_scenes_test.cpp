@@ -59,6 +59,36 @@ TEST(ParallelScenes, WhatResistsRolling) {
     }
 }
 
+/// Rafts of flush planks fall onto the ground, fast, in many islands that advance side by side.
+struct FallingRafts {
+    World world;
+    KnownIds known;
+
+    explicit FallingRafts(Profile profile) : world(makeWorld(awakeSettings(profile))) {
+        addStatic(world, box(200, 0.5), material(0.4), {0, -0.5});
+        Random random(3);
+        for (int i = 0; i < 40; ++i) {
+            const DVec2 place{6.0 * (i / 2) - 60, 1 + 2.0 * (i % 2)};
+            BodyDef def = dynamicAt(place, vec(random.range(-5, 5), -random.range(20, 60)));
+            def.angle = random.range(-0.3, 0.3);
+            known.bodies.push_back(must(world.createBody(def)));
+            for (int k = 0; k < 6; ++k) {
+                must(world.addShape(known.bodies.back(), must(makeBox(vec(0.4, 0.2), vec(0.8 * k - 2, 0))),
+                                    material(0.4)));
+            }
+        }
+    }
+};
+
+TEST(ParallelScenes, FallingRafts) {
+    for (const Profile profile : {Profile::accurate, Profile::fast}) {
+        FallingRafts rafts(profile);
+        std::uint64_t impacts = 0;
+        expectSameOnAll(rafts, 40, [&impacts](const World& world) { impacts += world.counters().impacts; });
+        EXPECT_GT(impacts, 40u);
+    }
+}
+
 /// Bullets among crates, some of which are fast, some slow and some asleep, in a room of walls that bounce.
 struct ShootOut {
     World world;
