@@ -140,7 +140,7 @@ void sumUpJoints(WorldState& world) {
     chains.isAnyAdrift =
         std::any_of(chains.list.begin(), chains.list.end(), [](const JointChain& chain) { return chain.isAdrift; });
     for (JointChain& chain : chains.list) {
-        chain.mayLend = chain.mayLend && chain.anchors > 0;
+        chain.mayLend = chain.mayLend && (chain.anchors > 0 || chain.isAdrift);
         chains.mayAnyLend = chains.mayAnyLend || chain.mayLend;
     }
 }

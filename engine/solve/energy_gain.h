@@ -48,9 +48,16 @@ inline bool hasGained(const EnergyAccount& account, double falls) {
     }
     return excessOf(account) > kGainRounding * account.kinetic + kGainTremble * account.fall;
 }
-inline bool hasGained(const EnergyAccount& account) {
+inline bool hasGainedAtOnce(const EnergyAccount& account) {
     const double held = account.isTouching ? kMostFallsInTouch : kMostFalls;
     return hasGained(account, account.isAnchored || account.meetsGround ? held : 0);
+}
+inline bool hasGained(const EnergyAccount& account) { return account.owed > 0 || hasGainedAtOnce(account); }
+
+/// What an island that gained pays.
+inline double dueOf(const EnergyAccount& account) {
+    const double excess = account.owed > 0 && !hasGainedAtOnce(account) ? 0 : excessOf(account);
+    return std::max(excess, account.owed);
 }
 
 /// kg·m²; 0 of what does not turn.

@@ -145,7 +145,7 @@ void noteJointed(WorldState& world, const TiedGroup& group) {
 /// @pre `noteJointed`
 bool mayDrift(const EnergyAccount& account) {
     return account.isJointed && !account.isAnchored && !account.isFed &&
-           excessOf(account) > kGainRounding * account.kinetic;
+           (account.owed > 0 || excessOf(account) > kGainRounding * account.kinetic);
 }
 
 /// How islands go as a whole that nothing holds. @pre `noteJointed`
@@ -288,10 +288,10 @@ void book(WorldState& world, SolveDesk& desk) {
     if (account != nullptr) { sums.writeTo(*account); }
 }
 
-void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h) {
+void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h, double dt) {
     const std::vector<std::uint32_t>& roots = group.desk.energyRoots;
     const bool hasJoints = !group.joints.empty();
-    if (hasJoints && world.jointChains.mayAnyLend) { noteLent(world, group); }
+    if (hasJoints && world.jointChains.mayAnyLend) { noteLent(world, group, time, dt); }
     const auto hasGainedAnything = [&](std::uint32_t root) { return hasGained(world.energyAccounts[root]); };
     const double part = world.jointChains.isAnyLoose ? kGainRounding : kJointedGain;
     const auto hasGainedIfTied = [&](std::uint32_t root) {  // not known yet which ones are
@@ -318,7 +318,7 @@ void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h
     const double hanging = mayTouch ? kMostFallsInTouch : kMostFalls;
     const auto mayHaveGained = [&](std::uint32_t root) {
         const EnergyAccount& account = world.energyAccounts[root];
-        return !account.isFed && hasGained(account, account.isAnchored ? hanging : 0);
+        return !account.isFed && (account.owed > 0 || hasGained(account, account.isAnchored ? hanging : 0));
     };
     if (noneOf(roots, mayHaveGained)) { return; }
     if (!mayRide) { noteOthers(world, group); }

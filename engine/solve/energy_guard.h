@@ -22,6 +22,7 @@ void book(WorldState& world, SolveDesk& desk);
 /// Takes back what islands gained. @pre all members were booked, and have their new motions
 /// @param time  that was solved for, s
 /// @param h     length of its sub-steps, s
-void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h);
+/// @param dt    of the step that it is part of, s
+void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h, double dt);
 
 }  // namespace swept::inline SWEPT_PRECISION

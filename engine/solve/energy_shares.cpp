@@ -152,9 +152,12 @@ void findShares(WorldState& world, SolveDesk& desk, double time) {
             free->limit(island, i);
         }
         const double rigid = rigidEnergy(island, island.velocity, island.spin);
-        const double excess = excessOf(account) - (rigid - rigidEnergy(island, island.keptVelocity, island.keptSpin));
+        const double paid = rigid - rigidEnergy(island, island.keptVelocity, island.keptSpin);
         const double relative = account.kinetic - rigid;
-        if (excess > 0) { island.share = relative > excess ? std::sqrt(1 - excess / relative) : 0; }
+        const double due = dueOf(account) - paid;
+        if (due > 0) { island.share = relative > due ? std::sqrt(1 - due / relative) : 0; }
+        // Shaking that adds up is all relative.
+        const double excess = hasGainedAtOnce(account) ? excessOf(account) - paid : 0;
         if (account.isJointed && excess > relative) { slowDown(island, excess - relative); }
     }
 }

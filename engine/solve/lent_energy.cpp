@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "../bodies/body_joints.h"
+#include "../containers/any_of.h"
+#include "chain_balance.h"
 #include "energy_gain.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -20,22 +22,31 @@ JointChain& chainOf(WorldState& world, std::uint32_t joint) {
     return chains.list[chains.places[chains.finder.rootOf(movingBodyOf(world, joint))]];
 }
 
-/// What it loses nothing gives back: friction, blows, damping.
-bool losesOtherwise(const WorldState& world, std::uint32_t slot) {
-    if ((world.traits[slot] & kHasContact) != 0) { return true; }
+bool touches(const WorldState& world, std::uint32_t slot) { return (world.traits[slot] & kHasContact) != 0; }
+
+bool isDamped(const WorldState& world, std::uint32_t slot) {
     const BodyDef& def = world.bodies[slot].def;
     return def.linearDamping > 0 || def.angularDamping > 0;
 }
 
 bool isDriven(const WorldState& world, std::uint32_t joint) { return world.joints[joint].driven != kNotDriven; }
 
-void note(const WorldState& world, JointChain& chain, EnergyAccount& account) {
+bool isSummedUp(const JointChain& chain) { return chain.lends && (chain.isDamped || chain.anchors == 0); }
+
+/// @pre `addUpChains`, if it is summed up
+void note(const WorldState& world, JointChain& chain, const ChainSums* sums, EnergyAccount& account, double parts) {
     LentEnergy& lent = chain.lent;
-    const bool isOfLastStep = lent.step + 1 == world.steps;
-    if (lent.step != world.steps) { lent.energy = isOfLastStep ? kLentKept * lent.energy : 0; }
+    const bool isFirst = lent.step != world.steps;
+    if (isFirst && lent.step + 1 != world.steps) { lent = {}; }
+    lent.step = world.steps;
+    noteBalance(chain, sums, account, {.isFirst = isFirst, .parts = parts});
+    if (chain.isDamped || chain.anchors == 0) {  // what those lose nothing gives back
+        lent.energy = 0;
+        return;
+    }
+    if (isFirst) { lent.energy *= kLentKept; }
     account.returned = std::min(lent.energy, kMostReturned * account.kinetic);
     lent.energy = std::max(0.0, lent.energy + account.work - account.gained);
-    lent.step = world.steps;
 }
 
 void forget(JointChain& chain) {
@@ -44,42 +55,55 @@ void forget(JointChain& chain) {
 }
 
 /// Of the group of all that is solved together.
-void noteLentOfAll(WorldState& world, const SolveDesk& desk) {
+void noteLentOfAll(WorldState& world, const TiedGroup& group, Real time, double parts) {
+    const SolveDesk& desk = group.desk;
     JointChains& chains = world.jointChains;
     for (JointChain& chain : chains.list) {
+        chain.isDamped = false;
         chain.lends = chain.mayLend && accountOf(world, chain.lowest).solve == desk.energySolve;
     }
     for (const JointChains::Member& member : chains.members) {
         JointChain& chain = chains.list[chains.places[member.lowest]];
-        if (chain.lends && losesOtherwise(world, member.body)) { forget(chain); }
+        if (!chain.lends) { continue; }
+        chain.isDamped = chain.isDamped || isDamped(world, member.body);
+        if (touches(world, member.body)) { forget(chain); }
     }
     for (const DrivenJoint& driven : world.drivenJoints) {
         if (world.joints.find(driven.joint) == nullptr || !world.jointTies[driven.joint.index].holds) { continue; }
         if (JointChain& chain = chainOf(world, driven.joint.index); chain.lends) { forget(chain); }
     }
-    for (JointChain& chain : chains.list) {
-        if (chain.lends) { note(world, chain, accountOf(world, chain.lowest)); }
+    if (anyOf(chains.list, isSummedUp)) { addUpChains(world, group, time); }
+    for (std::size_t i = 0; i < chains.list.size(); ++i) {
+        JointChain& chain = chains.list[i];
+        if (!chain.lends) { continue; }
+        const ChainSums* const sums = isSummedUp(chain) ? &desk.chainSums[i] : nullptr;
+        note(world, chain, sums, accountOf(world, chain.lowest), parts);
     }
 }
 
 /// Of an island that advances by itself.
-void noteLentOfOne(WorldState& world, const TiedGroup& group) {
-    const auto touches = [](const Contact& contact) { return !contact.sensor && contact.manifold.count > 0; };
-    const auto loses = [&world](std::uint32_t slot) {
-        return isAwakeDynamic(world, slot) && losesOtherwise(world, slot);
+void noteLentOfOne(WorldState& world, const TiedGroup& group, Real time, double parts) {
+    const auto meets = [](const Contact& contact) { return !contact.sensor && contact.manifold.count > 0; };
+    const auto touchesAny = [&world](std::uint32_t slot) {
+        return isAwakeDynamic(world, slot) && touches(world, slot);
     };
     const auto mayLend = [&world](std::uint32_t joint) {
         return chainOf(world, joint).mayLend && (world.drivenJoints.empty() || !isDriven(world, joint));
     };
-    const bool lends = std::none_of(group.contacts.begin(), group.contacts.end(), touches) &&
-                       std::none_of(group.bodies.begin(), group.bodies.end(), loses) &&
+    const bool lends = std::none_of(group.contacts.begin(), group.contacts.end(), meets) &&
+                       std::none_of(group.bodies.begin(), group.bodies.end(), touchesAny) &&
                        std::all_of(group.joints.begin(), group.joints.end(), mayLend);
     if (!lends) {
         for (const std::uint32_t joint : group.joints) { forget(chainOf(world, joint)); }
         return;
     }
     JointChain& chain = chainOf(world, group.joints.front());
-    note(world, chain, accountOf(world, chain.lowest));
+    chain.lends = true;
+    chain.isDamped = anyOf(
+        group.bodies, [&world](std::uint32_t slot) { return isAwakeDynamic(world, slot) && isDamped(world, slot); });
+    const bool isAsked = isSummedUp(chain);
+    if (isAsked) { addUpChains(world, group, time); }
+    note(world, chain, isAsked ? &group.desk.chainSums.front() : nullptr, accountOf(world, chain.lowest), parts);
 }
 
 /// Scattered, so that sums of several ids tell them apart.
@@ -93,12 +117,13 @@ std::uint64_t mixed(JointId id) {
 
 }  // namespace
 
-void noteLent(WorldState& world, const TiedGroup& group) {
+void noteLent(WorldState& world, const TiedGroup& group, Real time, double dt) {
     if (group.desk.isExact) { return; }  // what is solved exactly opens no joints
+    const double parts = dt / static_cast<double>(time);
     if (group.role == BodyRole::solved) {
-        noteLentOfAll(world, group.desk);
+        noteLentOfAll(world, group, time, parts);
     } else {
-        noteLentOfOne(world, group);
+        noteLentOfOne(world, group, time, parts);
     }
 }
 

@@ -16,8 +16,11 @@ namespace swept::inline SWEPT_PRECISION {
 /// its joints are the same.
 
 /// What the solve that was booked took, or gave back, and what joints may have given back in it.
+/// And what small gains added up to, where that is known (chain_balance.h).
+/// @param time  that was solved for, s
+/// @param dt    of the step that it is part of, s
 /// @pre some chain may lend
-void noteLent(WorldState& world, const TiedGroup& group);
+void noteLent(WorldState& world, const TiedGroup& group, Real time, double dt);
 
 /// The loan of an island with joints that advances by itself, for who takes its solves back; null of others. What has
 /// one is a single chain: of several that touch each other none has.

@@ -211,7 +211,7 @@ void setBodies(WorldState& world, const TiedGroup& group, Real h, FunctionRef<vo
 }
 
 /// What each body did is found by any worker, and added up in order.
-void readBodies(WorldState& world, const TiedGroup& group, Real time, Real h) {
+void readBodies(WorldState& world, const TiedGroup& group, Real time, Real h, double dt) {
     SolveDesk& desk = group.desk;
     const bool isWatched = openAccounts(world, group);
     if (isWatched) { desk.energyEntries.resize(desk.bodies.size()); }
@@ -228,7 +228,7 @@ void readBodies(WorldState& world, const TiedGroup& group, Real time, Real h) {
     desk.anyFlung = desk.anyFlung || anyFlung;
     if (!isWatched) { return; }
     book(world, desk);
-    settleAccounts(world, group, time, h);
+    settleAccounts(world, group, time, h, dt);
     if (anyLeap) { undoLeaps(world, group, static_cast<double>(time)); }
 }
 

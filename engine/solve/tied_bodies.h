@@ -15,6 +15,6 @@ void setBodies(WorldState& world, const TiedGroup& group, Real h, FunctionRef<vo
 
 /// Takes back what the solve did to them in `time`, s, by sub-steps of `h`, and takes from their islands what energy
 /// these gained.
-void readBodies(WorldState& world, const TiedGroup& group, Real time, Real h);
+void readBodies(WorldState& world, const TiedGroup& group, Real time, Real h, double dt);
 
 }  // namespace swept::inline SWEPT_PRECISION

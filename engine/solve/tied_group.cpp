@@ -189,7 +189,7 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     if (!way.areLinked) { contacts.readConstraints(); }
     desk.isExact = report.isExact;
     desk.anyGaveWay = report.direct.givenUp > 0;
-    readBodies(world, group, plan.time, plan.h);
+    readBodies(world, group, plan.time, plan.h, part.dt);
     const bool isSearch = plan.scope == DirectScope::all;
     const bool isSolved = !isSearch || (report.isDirect && report.direct.givenUp == 0);
     if (isSearch) { rememberSearch(world, group, part, report); }

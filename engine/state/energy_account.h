@@ -29,6 +29,8 @@ struct EnergyAccount {
     /// The most that they may have given, or what targets did give or take (motor_work.h), of what gained.
     double motors = 0;
     double returned = 0;  ///< the most that joints may have given back of what opening them took (lent_energy.h)
+    /// Of small gains of many steps, what is beyond all that may add up of them, and what it costs (chain_balance.h).
+    double owed = 0;
 
     // What holds it.
     bool isJointed = false;
@@ -76,6 +78,23 @@ struct EnergyEntry {
     Vec2 moved{};
     Real spinBefore = 0;
     Real turned = 0;
+};
+
+/// What of the motion of a chain damping took, and its own weight: sums over its bodies, of a solve.
+struct ChainSums {
+    double mass = 0;
+    DVec2 before{};  ///< momentum, N·s
+    DVec2 after{};
+    DVec2 moved{};  ///< mass times way, kg·m
+    DVec2 pull{};   ///< of gravity and forces, N
+    // As from rest.
+    double damped = 0;  ///< J
+    DVec2 dampedBefore{};
+    DVec2 dampedAfter{};
+    // Of the part of its speed that damping takes.
+    double leastDamping = 1;
+    double mostDamping = 0;
+    bool isHeld = false;  ///< some body turns without moving
 };
 
 /// An island that gained, as one rigid body.

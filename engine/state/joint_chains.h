@@ -26,8 +26,9 @@ struct JointChain {
     bool isAdrift = true;           ///< no joint ties it to what is not dynamic, nor pushes from outside
     bool isThin = false;            ///< a large loop, whose factor fills up little (thin_loops.h)
     // What goes on from step to step (lent_energy.h).
-    bool mayLend = false;        ///< held to something static, by joints without motors, springs, and targets
+    bool mayLend = false;        ///< by joints without motors, springs, and targets, and held to static things if any
     bool lends = false;          ///< scratch of a solve
+    bool isDamped = false;       ///< scratch of a solve: any of its bodies
     std::uint64_t identity = 0;  ///< of its joints, all of them; only of what may lend
     LentEnergy lent{};
 

@@ -51,6 +51,7 @@ struct alignas(kCacheLine) SolveDesk {
     bool isExact = false;                     ///< the present solve (`SolveReport`)
     bool anyGaveWay = false;                  ///< of its islands, where it is exact
     std::vector<ChainSpin> chainSpins;        ///< scratch, by place in the list of chains
+    std::vector<ChainSums> chainSums;         ///< scratch, likewise
 
     std::vector<ContactEvent> events;
     StepCounters counters;
