@@ -11,6 +11,7 @@ namespace {
 /// The part that damping, 1/s, takes of a kinetic energy that is the mean of that before and after. At most tanh(c·t),
 /// which is exact of what nothing else moves.
 double dampedPart(Real damping, double time) {
+    if (damping == 0) { return 0; }
     const double x = static_cast<double>(damping) * time;
     return x / std::sqrt(1 + x * x);
 }
