@@ -154,7 +154,7 @@ void collideIslandContacts(WorldState& world, IslandDesk& desk, double time, Gro
     letThrough(world, island.contacts, renewed, Moment::partBegins, island.crossing, island.chainContacts);
     dropGhosts(world, island.contacts, island.slides, renewed, island.members, island.nextGroundContact,
                world.serialTasks);
-    dropGhostsOfDecks(world, island.contacts, renewed, island.deckContacts);
+    (void)dropGhostsOfDecks(world, island.contacts, renewed, island.deckContacts);
     desk.counters.manifolds += island.contacts.size();
 }
 

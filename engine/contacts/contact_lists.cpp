@@ -58,7 +58,7 @@ ContactLists::Counts listBlock(WorldState& world, const Question& question, std:
         noted[counts.noted++] = place;
         if (state == ContactState::near) {
             near[counts.near++] = place;
-            if (!probe.isPlain || probe.isOfDeck) { world.lists.ground[begin + counts.ground++] = probe.contact; }
+            if (!probe.isPlain) { world.lists.ground[begin + counts.ground++] = probe.contact; }
         } else if (state == ContactState::boxesApart) {
             world.lists.apart[begin + counts.apart++] = place;
         }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "../state/tolerances.h"
 #include "contact_manifold.h"
@@ -22,26 +25,29 @@ Vec2 normalOf(const WorldState& world, const Contact& contact, bool deckIsA) {
     return deckIsA ? normal : -normal;
 }
 
-/// The contacts of each shape with pieces, in their order. Most shapes have one, which nothing hides: they are not
-/// listed.
+/// The contacts of each shape with pieces, in their order. Most shapes have one with a deck, which nothing hides: they
+/// are not listed.
 class DeckLists {
 public:
     DeckLists(const WorldState& world, DeckContacts& scratch, std::span<const Contact> contacts,
               std::span<const std::uint32_t> renewed)
-        : scratch_(scratch), contacts_(contacts), renewed_(renewed) {
+        : scratch_(scratch) {
         scratch_.contacts.clear();
         scratch_.ends.resize(world.shapes.slotCount());
-        scratch_.counts.resize(world.shapes.slotCount(), 0);
         scratch_.contacts.reserve(2 * renewed.size());  // so that nothing throws while lists are half made
         scratch_.group.reserve(2 * renewed.size());
-        forEachSide([this](std::uint32_t own, std::uint32_t, bool) {
-            std::uint8_t& count = scratch_.counts[own];
-            count = static_cast<std::uint8_t>(count + (count < 2 ? 1 : 0));
-        });
-        forEachSide([this](std::uint32_t own, std::uint32_t index, bool deckIsA) {
-            if (scratch_.counts[own] > 1) { add({.own = own, .contact = index, .deckIsA = deckIsA}); }
-        });
-        forEachSide([this](std::uint32_t own, std::uint32_t, bool) { scratch_.counts[own] = 0; });
+        scratch_.counts.assign(std::bit_ceil(8 * renewed.size() + 1), 0);
+        scratch_.changed.reserve(2 * renewed.size());
+        for (std::size_t place = 0; place < renewed.size(); ++place) {
+            const std::uint32_t i = renewed[place];
+            const Contact& contact = contacts[i];
+            if (!contact.isSolid()) { continue; }
+            const auto at = static_cast<std::uint32_t>(place);
+            if (contact.pieceA) { note({contact.shapeB, contact.bodyA, i, at, true}); }
+            if (contact.pieceB) { note({contact.shapeA, contact.bodyB, i, at, false}); }
+        }
+        std::erase_if(scratch_.contacts, [this](const DeckContact& one) { return countOf(one) < 2; });
+        for (std::size_t i = 0; i < scratch_.contacts.size(); ++i) { link(static_cast<std::uint32_t>(i)); }
     }
 
     /// @param visit  gets the contacts of one shape with one body, if there are several; the lists are empty then
@@ -56,26 +62,21 @@ public:
     }
 
 private:
-    /// @param visit  gets the slot of the shape, the contact, and whether the piece is A
-    template <class Visit>
-    void forEachSide(const Visit& visit) const {
-        for (const std::uint32_t i : renewed_) {
-            const Contact& contact = contacts_[i];
-            if (!contact.isSolid()) { continue; }
-            if (contact.pieceA) { visit(contact.shapeB, i, true); }
-            if (contact.pieceB) { visit(contact.shapeA, i, false); }
-        }
+    /// How many a shape has with a deck, or more where two such pairs have the same place.
+    std::uint8_t& countOf(const DeckContact& one) const {
+        constexpr std::uint32_t kGolden = 0x9E3779B1U;
+        const std::uint32_t key = (one.own * kGolden ^ one.deck) * kGolden;
+        return scratch_.counts[(key ^ key >> 16U) & (scratch_.counts.size() - 1)];
     }
 
-    std::uint32_t deckOf(const DeckContact& one) const {
-        const Contact& contact = contacts_[one.contact];
-        return one.deckIsA ? contact.bodyA : contact.bodyB;
-    }
-
-    void add(const DeckContact& one) {
-        const auto place = static_cast<std::uint32_t>(scratch_.contacts.size());
+    void note(const DeckContact& one) {
+        std::uint8_t& count = countOf(one);
+        count = static_cast<std::uint8_t>(count + (count < 2 ? 1 : 0));
         scratch_.contacts.push_back(one);
-        DeckEnds& ends = scratch_.ends[one.own];
+    }
+
+    void link(std::uint32_t place) {
+        DeckEnds& ends = scratch_.ends[scratch_.contacts[place].own];
         (ends.last == kNoIndex ? ends.first : scratch_.contacts[ends.last].next) = place;
         ends.last = place;
     }
@@ -86,11 +87,11 @@ private:
         std::vector<DeckContact>& group = scratch_.group;
         for (std::uint32_t begin = first; begin != kNoIndex; begin = scratch_.contacts[begin].next) {
             if (scratch_.contacts[begin].isTaken) { continue; }
-            const std::uint32_t deck = deckOf(scratch_.contacts[begin]);
+            const std::uint32_t deck = scratch_.contacts[begin].deck;
             group.clear();
             for (std::uint32_t i = begin; i != kNoIndex; i = scratch_.contacts[i].next) {
                 DeckContact& one = scratch_.contacts[i];
-                if (one.isTaken || deckOf(one) != deck) { continue; }
+                if (one.isTaken || one.deck != deck) { continue; }
                 one.isTaken = true;
                 group.push_back(one);
             }
@@ -99,8 +100,6 @@ private:
     }
 
     DeckContacts& scratch_;
-    std::span<const Contact> contacts_;
-    std::span<const std::uint32_t> renewed_;
 };
 
 /// As the same contact of B with A.
@@ -114,32 +113,31 @@ Manifold turnedAround(const Manifold& manifold, const Transform& bInA) {
 
 class GhostsOfDeck {
 public:
-    GhostsOfDeck(const WorldState& world, std::span<Contact> contacts, std::span<DeckContact> group)
-        : world_(world), contacts_(contacts), group_(group) {}
+    GhostsOfDeck(const WorldState& world, std::span<Contact> contacts, std::span<DeckContact> group,
+                 std::vector<std::uint32_t>& changed)
+        : world_(world), contacts_(contacts), group_(group), changed_(changed) {}
 
-    /// Two points each along one normal: nothing hides another one, as mostly.
+    /// Along one normal nothing trips on what it would be hidden by.
     bool mayHide() const {
         const Vec2 first = normalOf(world_, contacts_[group_[0].contact], group_[0].deckIsA);
-        return std::any_of(group_.begin(), group_.end(), [&](const DeckContact& one) {
-            const Contact& contact = contacts_[one.contact];
-            return contact.manifold.count < 2 || !(dot(normalOf(world_, contact, one.deckIsA), first) > kSameNormal);
+        return std::any_of(group_.begin() + 1, group_.end(), [&](const DeckContact& one) {
+            const Vec2 normal = normalOf(world_, contacts_[one.contact], one.deckIsA);
+            return !(dot(normal, first) > 0) || std::fabs(cross(normal, first)) > kFaceSine;
         });
     }
 
-    bool drop() const {
+    void drop() const {
         std::array<bool, kGhostRanks> are{};
         for (DeckContact& one : group_) {
             one.rank = rankOf(one);
             are[one.rank] = true;
         }
-        bool any = false;
         for (std::size_t rank = 0; rank < are.size(); ++rank) {
             if (!are[rank]) { continue; }
             for (const DeckContact& one : group_) {
-                if (one.rank == rank && dropIfHidden(one)) { any = true; }
+                if (one.rank == rank && dropIfHidden(one)) { changed_.push_back(one.place); }
             }
         }
-        return any;
     }
 
 private:
@@ -183,20 +181,38 @@ private:
     const WorldState& world_;
     std::span<Contact> contacts_;
     std::span<DeckContact> group_;
+    std::vector<std::uint32_t>& changed_;
 };
 
 }  // namespace
 
-bool dropGhostsOfDecks(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
-                       DeckContacts& scratch) {
-    if (!world.anyPieces) { return false; }
+std::span<const std::uint32_t> dropGhostsOfDecks(const WorldState& world, std::span<Contact> contacts,
+                                                 std::span<const std::uint32_t> renewed, DeckContacts& scratch) {
+    scratch.changed.clear();
+    if (!world.anyPieces || renewed.empty()) { return scratch.changed; }
     DeckLists lists(world, scratch, contacts, renewed);
-    bool any = false;
     lists.take([&](std::span<DeckContact> group) {
-        const GhostsOfDeck ghosts(world, contacts, group);
-        if (ghosts.mayHide() && ghosts.drop()) { any = true; }
+        const GhostsOfDeck ghosts(world, contacts, group, scratch.changed);
+        if (ghosts.mayHide()) { ghosts.drop(); }
     });
-    return any;
+    return scratch.changed;
+}
+
+void dropGhostsOfDecks(WorldState& world) {
+    if (!world.anyPieces) { return; }
+    std::vector<std::uint32_t>& list = world.deckContacts.candidates;
+    std::vector<std::uint32_t>& probes = world.deckContacts.probes;
+    list.clear();
+    probes.clear();
+    for (const std::uint32_t i : world.lists.near) {
+        const ContactProbe& probe = world.probes[i];
+        if (!probe.isOfDeck || probe.points == 0) { continue; }
+        list.push_back(probe.contact);
+        probes.push_back(i);
+    }
+    for (const std::uint32_t place : dropGhostsOfDecks(world, world.contacts, list, world.deckContacts)) {
+        world.probes[probes[place]].areUp = false;  // it tells what the contact had before
+    }
 }
 
 void notePieces(const WorldState& world, Contact& contact) {

@@ -13,9 +13,11 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// Drops the ghosts among contacts with pieces, or turns them to the faces that are there.
 /// @param renewed  indices of contacts whose manifold is new, among others
-/// @return whether there were any
-bool dropGhostsOfDecks(const WorldState& world, std::span<Contact> contacts, std::span<const std::uint32_t> renewed,
-                       DeckContacts& scratch);
+/// @return places in `renewed` of those that were dropped or turned, valid until the next call
+std::span<const std::uint32_t> dropGhostsOfDecks(const WorldState& world, std::span<Contact> contacts,
+                                                 std::span<const std::uint32_t> renewed, DeckContacts& scratch);
+/// Of the contacts of the world that are near, whose probes do not tell what they have then.
+void dropGhostsOfDecks(WorldState& world);
 
 /// What tells that a contact is one with a piece. (It is asked before the shapes are.)
 void notePieces(const WorldState& world, Contact& contact);

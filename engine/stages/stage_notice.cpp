@@ -24,7 +24,7 @@ constexpr std::size_t kNotedPerBlock = 512;
 void distrustGhosts(WorldState& world) {
     for (const std::uint32_t i : world.lists.near) {
         ContactProbe& probe = world.probes[i];
-        if ((probe.isPlain && !probe.isOfDeck) || probe.points == 0) { continue; }
+        if (probe.isPlain || probe.points == 0) { continue; }
         const Contact& contact = world.contacts[probe.contact];
         const TouchTraits now = touchingPair(contact, probe.contact);
         const bool isAsTold = now.points == probe.points && now.isOpen == probe.isOpen && now.isDeep == probe.isDeep;
@@ -121,10 +121,10 @@ void countContacts(WorldState& world) {
 
 void listTouching(WorldState& world) {
     if (!hasContacts(world)) { return; }
-    bool anyGhost = dropGhosts(world, world.contacts, world.slides, world.lists.ground, world.awake,
-                               world.nextGroundContact, *world.loops);
-    anyGhost = dropGhostsOfDecks(world, world.contacts, world.lists.ground, world.deckContacts) || anyGhost;
+    const bool anyGhost = dropGhosts(world, world.contacts, world.slides, world.lists.ground, world.awake,
+                                     world.nextGroundContact, *world.loops);
     if (anyGhost || !world.chainPassers.empty()) { distrustGhosts(world); }
+    dropGhostsOfDecks(world);
     ContactLists& lists = world.lists;
     const std::size_t count = lists.noted.size();
     world.touching.resize(count);

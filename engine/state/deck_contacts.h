@@ -9,12 +9,14 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// A contact as that of a shape with a piece of a deck (contacts/decks.h).
 struct DeckContact {
-    std::uint32_t own = 0;          ///< slot of the shape
-    std::uint32_t contact = 0;      ///< index
-    std::uint32_t next = kNoIndex;  ///< place of the next one of the same shape
+    std::uint32_t own = 0;      ///< slot of the shape
+    std::uint32_t deck = 0;     ///< of the body
+    std::uint32_t contact = 0;  ///< index
+    std::uint32_t place = 0;    ///< in the list that it comes from
     bool deckIsA = false;
     bool isTaken = false;
-    std::uint8_t rank = 0;  ///< `ghostRank`
+    std::uint8_t rank = 0;          ///< `ghostRank`
+    std::uint32_t next = kNoIndex;  ///< place of the next one of the same shape
 };
 
 /// Places of the first and the last one of a shape.
@@ -23,11 +25,14 @@ struct DeckEnds {
     std::uint32_t last = kNoIndex;
 };
 
-/// Of a step; ends and counts are empty before and after.
+/// Of a step; ends are empty before and after.
 struct DeckContacts {
+    std::vector<std::uint32_t> candidates;  ///< contacts of the world that may be such ones
+    std::vector<std::uint32_t> probes;      ///< theirs
+    std::vector<std::uint32_t> changed;     ///< places of those that lost points, or have other ones
     std::vector<DeckContact> contacts;
     std::vector<DeckEnds> ends;        ///< by slot of the shape that meets pieces
-    std::vector<std::uint8_t> counts;  ///< likewise, of pieces: none, one, or two and more
+    std::vector<std::uint8_t> counts;  ///< by a hash of shape and deck: none, one, or two and more
     std::vector<DeckContact> group;    ///< of one shape with one deck
 };
 
