@@ -25,19 +25,15 @@ Vec2 normalOf(const WorldState& world, const Contact& contact, bool deckIsA) {
     return deckIsA ? normal : -normal;
 }
 
-/// The contacts of each shape with pieces, in their order. Most shapes have one with a deck, which nothing hides: they
+/// The contacts of each shape with the pieces of each body, in their order. Most have one, which nothing hides: they
 /// are not listed.
 class DeckLists {
 public:
-    DeckLists(const WorldState& world, DeckContacts& scratch, std::span<const Contact> contacts,
-              std::span<const std::uint32_t> renewed)
+    DeckLists(DeckContacts& scratch, std::span<const Contact> contacts, std::span<const std::uint32_t> renewed)
         : scratch_(scratch) {
         scratch_.contacts.clear();
-        scratch_.ends.resize(world.shapes.slotCount());
-        scratch_.contacts.reserve(2 * renewed.size());  // so that nothing throws while lists are half made
-        scratch_.group.reserve(2 * renewed.size());
+        scratch_.contacts.reserve(2 * renewed.size());
         scratch_.counts.assign(std::bit_ceil(8 * renewed.size() + 1), 0);
-        scratch_.changed.reserve(2 * renewed.size());
         for (std::size_t place = 0; place < renewed.size(); ++place) {
             const std::uint32_t i = renewed[place];
             const Contact& contact = contacts[i];
@@ -47,26 +43,36 @@ public:
             if (contact.pieceB) { note({contact.shapeA, contact.bodyB, i, at, false}); }
         }
         std::erase_if(scratch_.contacts, [this](const DeckContact& one) { return countOf(one) < 2; });
+        scratch_.lastOf.assign(std::bit_ceil(4 * scratch_.contacts.size() + 1), kNoIndex);
         for (std::size_t i = 0; i < scratch_.contacts.size(); ++i) { link(static_cast<std::uint32_t>(i)); }
     }
 
-    /// @param visit  gets the contacts of one shape with one body, if there are several; the lists are empty then
+    /// @param visit  gets the contacts of one shape with one body, if there are several
     template <class Visit>
-    void take(const Visit& visit) {
+    void visitGroups(const Visit& visit) {
         for (std::size_t i = 0; i < scratch_.contacts.size(); ++i) {
-            DeckEnds& ends = scratch_.ends[scratch_.contacts[i].own];
-            if (ends.first != i) { continue; }
-            ends = {};
-            takeShape(static_cast<std::uint32_t>(i), visit);
+            const DeckContact& first = scratch_.contacts[i];
+            if (first.isTaken) { continue; }
+            scratch_.group.clear();
+            for (auto place = static_cast<std::uint32_t>(i); place != kNoIndex; place = scratch_.contacts[place].next) {
+                DeckContact& one = scratch_.contacts[place];
+                if (one.own != first.own || one.deck != first.deck) { continue; }
+                one.isTaken = true;
+                scratch_.group.push_back(one);
+            }
+            if (scratch_.group.size() > 1) { visit(std::span(scratch_.group)); }
         }
     }
 
 private:
-    /// How many a shape has with a deck, or more where two such pairs have the same place.
-    std::uint8_t& countOf(const DeckContact& one) const {
+    /// That of a pair of a shape and a deck; another pair may have it, too.
+    static std::size_t placeOf(const DeckContact& one, std::size_t places) {
         constexpr std::uint32_t kGolden = 0x9E3779B1U;
         const std::uint32_t key = (one.own * kGolden ^ one.deck) * kGolden;
-        return scratch_.counts[(key ^ key >> 16U) & (scratch_.counts.size() - 1)];
+        return (key ^ key >> 16U) & (places - 1);
+    }
+    std::uint8_t& countOf(const DeckContact& one) const {
+        return scratch_.counts[placeOf(one, scratch_.counts.size())];
     }
 
     void note(const DeckContact& one) {
@@ -75,28 +81,11 @@ private:
         scratch_.contacts.push_back(one);
     }
 
-    void link(std::uint32_t place) {
-        DeckEnds& ends = scratch_.ends[scratch_.contacts[place].own];
-        (ends.last == kNoIndex ? ends.first : scratch_.contacts[ends.last].next) = place;
-        ends.last = place;
-    }
-
-    /// Deck by deck; mostly there is one.
-    template <class Visit>
-    void takeShape(std::uint32_t first, const Visit& visit) {
-        std::vector<DeckContact>& group = scratch_.group;
-        for (std::uint32_t begin = first; begin != kNoIndex; begin = scratch_.contacts[begin].next) {
-            if (scratch_.contacts[begin].isTaken) { continue; }
-            const std::uint32_t deck = scratch_.contacts[begin].deck;
-            group.clear();
-            for (std::uint32_t i = begin; i != kNoIndex; i = scratch_.contacts[i].next) {
-                DeckContact& one = scratch_.contacts[i];
-                if (one.isTaken || one.deck != deck) { continue; }
-                one.isTaken = true;
-                group.push_back(one);
-            }
-            if (group.size() > 1) { visit(std::span(group)); }
-        }
+    void link(std::uint32_t index) {
+        DeckContact& one = scratch_.contacts[index];
+        std::uint32_t& last = scratch_.lastOf[placeOf(one, scratch_.lastOf.size())];
+        if (last != kNoIndex) { scratch_.contacts[last].next = index; }
+        last = index;
     }
 
     DeckContacts& scratch_;
@@ -190,8 +179,8 @@ std::span<const std::uint32_t> dropGhostsOfDecks(const WorldState& world, std::s
                                                  std::span<const std::uint32_t> renewed, DeckContacts& scratch) {
     scratch.changed.clear();
     if (!world.anyPieces || renewed.empty()) { return scratch.changed; }
-    DeckLists lists(world, scratch, contacts, renewed);
-    lists.take([&](std::span<DeckContact> group) {
+    DeckLists lists(scratch, contacts, renewed);
+    lists.visitGroups([&](std::span<DeckContact> group) {
         const GhostsOfDeck ghosts(world, contacts, group, scratch.changed);
         if (ghosts.mayHide()) { ghosts.drop(); }
     });

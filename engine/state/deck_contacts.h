@@ -16,24 +16,18 @@ struct DeckContact {
     bool deckIsA = false;
     bool isTaken = false;
     std::uint8_t rank = 0;          ///< `ghostRank`
-    std::uint32_t next = kNoIndex;  ///< place of the next one of the same shape
+    std::uint32_t next = kNoIndex;  ///< place of the next one of the same shape and deck, if not of others
 };
 
-/// Places of the first and the last one of a shape.
-struct DeckEnds {
-    std::uint32_t first = kNoIndex;
-    std::uint32_t last = kNoIndex;
-};
-
-/// Of a step; ends are empty before and after.
+/// Scratch of a step.
 struct DeckContacts {
     std::vector<std::uint32_t> candidates;  ///< contacts of the world that may be such ones
     std::vector<std::uint32_t> probes;      ///< theirs
     std::vector<std::uint32_t> changed;     ///< places of those that lost points, or have other ones
     std::vector<DeckContact> contacts;
-    std::vector<DeckEnds> ends;        ///< by slot of the shape that meets pieces
-    std::vector<std::uint8_t> counts;  ///< by a hash of shape and deck: none, one, or two and more
-    std::vector<DeckContact> group;    ///< of one shape with one deck
+    std::vector<std::uint8_t> counts;   ///< by a hash of shape and deck: none, one, or two and more
+    std::vector<std::uint32_t> lastOf;  ///< likewise: place of the last one so far
+    std::vector<DeckContact> group;     ///< of one shape with one deck
 };
 
 }  // namespace swept::inline SWEPT_PRECISION
