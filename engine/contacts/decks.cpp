@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "../state/tolerances.h"
-#include "contact_manifold.h"
 #include "ghosts.h"
 #include "pairs_of_shapes.h"
 
@@ -91,15 +90,6 @@ private:
     DeckContacts& scratch_;
 };
 
-/// As the same contact of B with A.
-Manifold turnedAround(const Manifold& manifold, const Transform& bInA) {
-    Manifold other = manifold;
-    other.normal = -rotate(bInA.rotation, manifold.normal);
-    for (ManifoldPoint& point : other.points) { point.point = apply(bInA, point.point); }
-    other.isNormalOfB = !manifold.isNormalOfB;
-    return other;
-}
-
 class GhostsOfDeck {
 public:
     GhostsOfDeck(const WorldState& world, std::span<Contact> contacts, std::span<DeckContact> group,
@@ -144,27 +134,10 @@ private:
             if (&stands == &contact || !isReached(stands)) { continue; }
             const GroundContact held = groundContactOf(world_, stands, other.deckIsA);
             if (!hides(held, seen)) { continue; }
-            if (!turnToFace(contact, seen, one.deckIsA, held.normal)) { contact.manifold.count = 0; }
+            if (!turnToFlushFace(world_, contact, seen, one.deckIsA, held.normal)) { contact.manifold.count = 0; }
             return true;
         }
         return false;
-    }
-
-    /// As `turnToFlushFace` (ghosts.cpp), of either shape. @param normal  of what it stands on. @return whether it does
-    bool turnToFace(Contact& contact, const GroundContact& seen, bool deckIsA, Vec2 normal) const {
-        if (contact.ofChain || contact.manifold.isNormalOfB != deckIsA) { return false; }
-        const int face = faceWithNormal(seen.ground, unrotate(seen.groundPose.rotation, normal));
-        if (face < 0) { return false; }
-        Real farthest = 0;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-            farthest = std::max(farthest, contact.manifold.points[i].separation);
-        }
-        const Transform ownInDeck = relativeTransform(seen.groundPose, seen.ownPose);
-        const Manifold onFace = collideOnFace(seen.ground, face, seen.own, ownInDeck, seen.slop + farthest, kFaceSine);
-        if (onFace.count == 0) { return false; }
-        const Transform bInA = relativePoseOf(world_, contact);
-        takeManifold(contact, bInA, deckIsA ? onFace : turnedAround(onFace, bInA));
-        return true;
     }
 
     const WorldState& world_;

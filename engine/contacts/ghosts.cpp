@@ -59,28 +59,6 @@ const Contact* hiderOf(const WorldState& world, const GroundContacts& contacts, 
     return nullptr;
 }
 
-/// What hides a tilted body's own normal leaves the ground below it, which the body may yet reach: where that has a
-/// face flush with what the body stands on the two meet along that. @return whether it has
-bool turnToFlushFace(const WorldState& world, Contact& contact, const Contact& stands) {
-    if (contact.dynamicA || contact.ofChain || !contact.manifold.isNormalOfB) { return false; }
-    const Vec2 normal = rotate(world.motions[stands.bodyA].pose.rotation, stands.manifold.normal);
-    const Vec2 local = unrotate(world.motions[contact.bodyA].pose.rotation, stands.dynamicA ? -normal : normal);
-    const Polygon& ground = world.shapes[contact.shapeA].polygon;
-    const int face = faceWithNormal(ground, local);
-    if (face < 0) { return false; }
-    const Transform bInA = relativePoseOf(world, contact);
-    const Real slop = kTargetRatio * contact.extent;
-    Real farthest = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
-        farthest = std::max(farthest, contact.manifold.points[i].separation);
-    }
-    const Real margin = slop + farthest;
-    const Manifold onFace = collideOnFace(ground, face, world.shapes[contact.shapeB].polygon, bInA, margin, kFaceSine);
-    if (onFace.count == 0) { return false; }
-    takeManifold(contact, bInA, onFace);
-    return true;
-}
-
 /// What the contacts of a body are like.
 struct GhostRanks {
     std::uint32_t bits = 0;    ///< by rank: whether some contact has it
@@ -117,11 +95,21 @@ bool dropGhostsOf(const WorldState& world, const GroundContacts& contacts) {
             if (ghostRank(seen) != rank) { continue; }
             const Contact* const hider = hiderOf(world, contacts, i, seen);
             if (hider == nullptr) { continue; }
-            if (!turnToFlushFace(world, contact, *hider)) { contact.manifold.count = 0; }
+            const Vec2 normal = groundContactOf(world, *hider).normal;
+            if (!turnToFlushFace(world, contact, seen, !contact.dynamicA, normal)) { contact.manifold.count = 0; }
             anyGhost = true;
         }
     }
     return anyGhost;
+}
+
+/// As the same contact of B with A.
+Manifold turnedAround(const Manifold& manifold, const Transform& bInA) {
+    Manifold other = manifold;
+    other.normal = -rotate(bInA.rotation, manifold.normal);
+    for (ManifoldPoint& point : other.points) { point.point = apply(bInA, point.point); }
+    other.isNormalOfB = !manifold.isNormalOfB;
+    return other;
 }
 
 }  // namespace
@@ -149,6 +137,23 @@ bool areFlush(const GroundContact& one, const GroundContact& other) {
 }
 
 int ghostRank(const GroundContact& contact) { return (isFaceContact(contact) ? 2 : 0) + (contact.count > 1 ? 1 : 0); }
+
+bool turnToFlushFace(const WorldState& world, Contact& contact, const GroundContact& seen, bool groundIsA,
+                     Vec2 normal) {
+    if (contact.ofChain || contact.manifold.isNormalOfB != groundIsA) { return false; }
+    const int face = faceWithNormal(seen.ground, unrotate(seen.groundPose.rotation, normal));
+    if (face < 0) { return false; }
+    Real farthest = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.manifold.count); ++i) {
+        farthest = std::max(farthest, contact.manifold.points[i].separation);
+    }
+    const Transform ownInGround = relativeTransform(seen.groundPose, seen.ownPose);
+    const Manifold onFace = collideOnFace(seen.ground, face, seen.own, ownInGround, seen.slop + farthest, kFaceSine);
+    if (onFace.count == 0) { return false; }
+    const Transform bInA = relativePoseOf(world, contact);
+    takeManifold(contact, bInA, groundIsA ? onFace : turnedAround(onFace, bInA));
+    return true;
+}
 
 bool hides(const GroundContact& stands, const GroundContact& other) {
     const bool yields = isFaceContact(stands) && !isFaceContact(other);

@@ -56,6 +56,12 @@ int ghostRank(const GroundContact& contact);
 /// @return whether `other` is a ghost of the same body while it stands on `stands`
 bool hides(const GroundContact& stands, const GroundContact& other);
 
+/// What hides a tilted body's own normal leaves the ground below it, which the body may yet reach: where that has a
+/// face flush with what the body stands on the two meet along that.
+/// @param seen    the contact, with A or B as the ground
+/// @param normal  world, of what it stands on. @return whether there is such a face
+bool turnToFlushFace(const WorldState& world, Contact& contact, const GroundContact& seen, bool groundIsA, Vec2 normal);
+
 /// Separation of two placed shapes along a unit world direction from A to B, radii included, metres: how far B's lowest
 /// point lies above A's highest.
 Real separationAlong(const Polygon& a, const WorldTransform& poseA, const Polygon& b, const WorldTransform& poseB,
