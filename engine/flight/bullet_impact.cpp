@@ -117,7 +117,8 @@ void listImpacts(WorldState& world, FlightScratch& scratch) {
         const ShapeDef& own = world.shapes[pair.shapes.own].def;
         const ShapeDef& other = world.shapes[pair.shapes.other].def;
         ContactConstraint constraint =
-            constraintOf(manifold, first.motion, first.body().localCenter, second.motion, mixedSurface(own, other), 0);
+            constraintOf(manifold, contactFrameOf(first.motion, first.body().localCenter, second.motion),
+                         mixedSurface(own, other), 0);
         constraint.source = static_cast<std::uint32_t>(i);
         constraint.slotA = slotOf(work, pair.first);
         constraint.slotB = slotOf(work, pair.second);

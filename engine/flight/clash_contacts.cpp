@@ -68,8 +68,9 @@ void listMet(Clash& clash, bool isStart) {
         const Manifold manifold = manifoldOf(clash, pair, isStart);
         if (manifold.count == 0) { continue; }
         const Contact& contact = clash.world.contacts[pair.contact];
-        ContactConstraint constraint = constraintOf(manifold, first.motion, first.body().localCenter, second.motion,
-                                                    surfaceOf(clash.world, contact), 0);
+        ContactConstraint constraint =
+            constraintOf(manifold, contactFrameOf(first.motion, first.body().localCenter, second.motion),
+                         surfaceOf(clash.world, contact), 0);
         pair.isMet = true;
         pair.normal = constraint.normal;
         pair.deepest = deepestSeparation(manifold);

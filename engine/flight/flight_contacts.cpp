@@ -80,7 +80,8 @@ void addConstraint(Flight& flight, FlightObstacle& obstacle, std::uint32_t sourc
     if (manifold.count == 0) { return; }
     obstacle.hasOwnNormal = manifold.isNormalOfB;
     ContactConstraint constraint =
-        constraintOf(manifold, otherMotion, otherBody.localCenter, flight.motion, mixedSurface(own.def, other.def), 0);
+        constraintOf(manifold, contactFrameOf(otherMotion, otherBody.localCenter, flight.motion),
+                     mixedSurface(own.def, other.def), 0);
     constraint.source = source;
     constraint.slotB = kFlyerSlot;
     Vec2 groundVelocity{};

@@ -1,19 +1,18 @@
 #include "constraint_builder.h"
 
 namespace swept::inline SWEPT_PRECISION {
-ContactConstraint constraintOf(const Manifold& manifold, const BodyMotion& a, Vec2 localCenterA, const BodyMotion& b,
-                               const MixedSurface& surface, Real maxPushSpeed) {
+ContactConstraint constraintOf(const Manifold& manifold, const ContactFrame& frame, const MixedSurface& surface,
+                               Real maxPushSpeed) {
     ContactConstraint constraint;
-    constraint.normal = rotate(a.pose.rotation, manifold.normal);
+    constraint.normal = rotate(frame.rotation, manifold.normal);
     constraint.friction = surface.friction;
     constraint.restitution = surface.restitution;
     constraint.surfaceSpeed = surface.speed;
     constraint.rolling = surface.rolling;
     constraint.maxPushSpeed = maxPushSpeed;
     constraint.count = manifold.count;
-    const Vec2 fromAToB = toReal(b.center - a.center);
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i) {
-        constraint.points[i] = constraintPointOf(manifold.points[i], a, localCenterA, fromAToB);
+        constraint.points[i] = constraintPointOf(manifold.points[i], frame);
     }
     return constraint;
 }

@@ -16,6 +16,7 @@
 #include "energy_guard.h"
 #include "leaps.h"
 #include "squeezed_bodies.h"
+#include "turning_ground.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -163,7 +164,7 @@ Moves readFew(WorldState& world, SolveDesk& desk, bool isWatched, Real time, std
         BodyState& state = desk.batch.states[i + 1];
         world.solverSlots[slot] = kFixedSlot;
         if (!isMovable(desk.batch.inertias[i + 1])) { continue; }
-        if (Body& body = world.bodies[slot]; mayRide(body)) {
+        if (Body& body = world.bodies[slot]; mayRide(body) && !isOnTurning(desk, static_cast<BodySlot>(i + 1))) {
             followCurve(world, slot, body, state, time);
         } else {
             body.groundNormal = {};

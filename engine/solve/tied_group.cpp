@@ -11,6 +11,7 @@
 #include "tied_bodies.h"
 #include "tied_contacts.h"
 #include "tied_hinges.h"
+#include "turning_ground.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -174,6 +175,7 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     TiedContacts contacts(world, group, part, plan.h, keptImpulseScale(world, group, part));
     giveSlots(world, group);
     findStrained(world, group);
+    findTurningGround(world, group, plan.time);
     const ContactWay way = linkContacts(world, group, plan, contacts);
     std::optional<TiedHinges> hinges;
     // Links, and so colours, are known without a look at the bodies.

@@ -4,7 +4,6 @@
 
 #include "../contacts/hit_event.h"
 #include "../state/tolerances.h"
-#include "constraint_builder.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -26,12 +25,6 @@ TiedPair TiedHits::pairOf(const Contact& contact, BodySlot slotA, BodySlot slotB
         return {.velocity = motion.velocity, .angularVelocity = motion.angularVelocity};
     };
     return {.a = stateOf(contact.bodyA, slotA), .b = stateOf(contact.bodyB, slotB)};
-}
-
-ContactConstraintPoint TiedHits::anchorsOf(const Contact& contact, const ManifoldPoint& point) const {
-    const BodyMotion& a = world_.motions[contact.bodyA];
-    return constraintPointOf(point, a, world_.bodies[contact.bodyA].localCenter,
-                             toReal(world_.motions[contact.bodyB].center - a.center));
 }
 
 /// What forces make of the velocity of a body in a step, m/s.

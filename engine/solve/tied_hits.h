@@ -30,8 +30,6 @@ public:
     /// Approach speed of what only rests, m/s.
     Real threshold() const { return threshold_; }
     TiedPair pairOf(const Contact& contact, BodySlot slotA, BodySlot slotB) const;
-    /// Anchors of a point of the contact.
-    ContactConstraintPoint anchorsOf(const Contact& contact, const ManifoldPoint& point) const;
     /// @param speeds  of approach, by point, m/s; 0: it did not begin to press
     /// @param began   whether the contact did not press before at all
     /// @pre the contact has its totals

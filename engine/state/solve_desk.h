@@ -5,6 +5,7 @@
 
 #include "../../shapes/cache_line.h"
 #include "../../shapes/raw_vector.h"
+#include "../../shapes/rotation.h"
 #include "../../shapes/task_system.h"
 #include "../../solver/solver.h"
 #include "../counters.h"
@@ -18,6 +19,15 @@ namespace swept::inline SWEPT_PRECISION {
 struct LinkCounts {
     std::uint32_t links = 0;
     std::uint32_t bouncing = 0;  ///< of these, with restitution
+};
+
+/// How kinematic ground turns in a solve, or that a body touches such ground (turning_ground.h).
+struct GroundTurn {
+    Rotation half{};         ///< of its turn
+    Real shortening = 0;     ///< of the chord, as part of the arc
+    bool isTouched = false;  ///< by ground that turns
+
+    bool isAny() const { return half.s != 0; }
 };
 
 /// What presses an island in a solve (squeezed_bodies.h).
@@ -41,6 +51,7 @@ struct alignas(kCacheLine) SolveDesk {
     std::vector<BodySlot> standing;           ///< slots of the solve that kinematic bodies have
     RawVector<Vec2> localCenters;             ///< of the bodies of the present solve, by their slot there
     std::vector<std::uint32_t> grounds;       ///< likewise (strained_bodies.h); empty if none is strained
+    std::vector<GroundTurn> groundTurns;      ///< likewise (turning_ground.h); empty if no ground turns
     std::vector<SqueezedIsland> squeezed;     ///< scratch, by the slot in the world of their root
     std::vector<std::uint8_t> isLimited;      ///< scratch, by slot of the solve: whether it was slowed down there
     RawVector<EnergyEntry> energyEntries;     ///< likewise, by place in `bodies`

@@ -69,6 +69,7 @@ struct ContactConstraint {
     bool isHeld = false;      ///< a direct solve takes care of overlaps and gaps: what presses just does not move
     Real maxPushSpeed = 0;    ///< fastest push out of an overlap, m/s
     /// Of the rounded parts that touch, metres: those have no points that turn away from the contact as the body turns.
+    /// Of ground that turns what the engine makes of it (turning_ground.h), of either sign.
     Real radiusA = 0;
     Real radiusB = 0;
     BlowAnswer answerA;  ///< asked by impacts alone

@@ -41,8 +41,8 @@ inline void fillLane(WideContact<kPoints>& block, std::size_t lane, const Contac
     block.normalY[lane] = contact.normal.y;
     block.friction[lane] = contact.friction;
     block.maxPushSpeed[lane] = contact.maxPushSpeed;
-    if (contact.radiusA > 0) { block.radiusA[lane] = contact.radiusA; }
-    if (contact.radiusB > 0) { block.radiusB[lane] = contact.radiusB; }
+    if (contact.radiusA != 0) { block.radiusA[lane] = contact.radiusA; }
+    if (contact.radiusB != 0) { block.radiusB[lane] = contact.radiusB; }
     if (contact.bounceSpeed < std::numeric_limits<Real>::infinity()) { block.bounceSpeed[lane] = contact.bounceSpeed; }
     if (contact.restitution > 0) { block.restitution[lane] = contact.restitution; }
     block.inverseMassA[lane] = a.inverseMass;
