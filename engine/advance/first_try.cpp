@@ -14,19 +14,32 @@ namespace {
 /// Islands per block of a parallel loop: each is looked at, or has a sweep or two.
 constexpr std::size_t kTryGrain = 4;
 
-/// Whether the members are solved the same way together with others. Of joints, hinges are: what they keep from step to
-/// step is little, and is put back.
+/// Of what they keep from step to step all is put back.
+bool mayBePutBack(const WorldState& world, std::uint32_t joint) {
+    switch (world.joints[joint].type()) {
+        case JointType::revolute:
+        case JointType::prismatic:
+        case JointType::wheel:
+        case JointType::weld:
+        case JointType::distance:
+            return true;
+        default:
+            return false;
+    }
+}
+
+/// Whether the members are solved the same way together with others.
 bool mayBeTried(const WorldState& world, std::size_t island, double dt) {
     const FastIslands& fast = world.fastIslands;
     if (fast.clashes[island] != ClashEnd::none) { return false; }
     const Effort effort = world.bodies[fast.bodies.of(island)[0]].effort;
     const std::span<const std::uint32_t> joints = fast.joints.of(island);
-    const auto isHinge = [&world](std::uint32_t joint) { return world.jointTies[joint].isHinge; };
+    const auto isPutBack = [&world](std::uint32_t joint) { return mayBePutBack(world, joint); };
     const bool isPlain = joints.empty()
                              ? effort.doublings == 0
                              : effort.direct == DirectScope::none && (effort.doublings == 0 || effort.isCrowd) &&
-                                   std::all_of(joints.begin(), joints.end(), isHinge);
-    return isPlain && !effort.isSettled && isOnePart(world, fast.bodies.of(island), !joints.empty(), dt);
+                                   std::all_of(joints.begin(), joints.end(), isPutBack);
+    return isPlain && !effort.isSettled && isOnePart(world, fast.bodies.of(island), joints, dt);
 }
 
 /// By a body of a contact.
@@ -55,18 +68,22 @@ void rememberContacts(WorldState& world) {
     }
 }
 
+bool isHinge(const WorldState& world, std::uint32_t joint) { return world.jointTies[joint].isHinge; }
+
 /// Where each island keeps what it remembers.
-void placeTried(FastIslands& fast) {
+void placeTried(WorldState& world) {
+    FastIslands& fast = world.fastIslands;
     TriedPlace next;
     fast.triedPlaces.resize(fast.isTried.size());
     for (std::size_t i = 0; i < fast.isTried.size(); ++i) {
         fast.triedPlaces[i] = next;
         if (fast.isTried[i] == 0) { continue; }
         next.body += fast.bodies.of(i).size();
-        next.hinge += fast.joints.of(i).size();
+        for (const std::uint32_t joint : fast.joints.of(i)) { ++(isHinge(world, joint) ? next.hinge : next.joint); }
     }
     fast.triedBodies.resize(next.body);
     fast.triedHinges.resize(next.hinge);
+    fast.triedJoints.resize(next.joint);
 }
 
 /// The members of an island before they are solved. Their contacts are not in its hands alone.
@@ -78,7 +95,11 @@ void remember(WorldState& world, std::size_t island) {
         world.bodies[slot].role = BodyRole::solved;
     }
     for (const std::uint32_t joint : fast.joints.of(island)) {
-        fast.triedHinges[place.hinge++] = {world.joints[joint].hinge, world.joints[joint].restLoad};
+        if (isHinge(world, joint)) {
+            fast.triedHinges[place.hinge++] = {world.joints[joint].hinge, world.joints[joint].restLoad};
+        } else {
+            fast.triedJoints[place.joint++] = world.joints[joint];
+        }
     }
 }
 
@@ -103,6 +124,10 @@ void judge(WorldState& world, std::size_t island, double dt, FlightScratch& scra
     }
     if (!meets) { return; }
     for (const std::uint32_t joint : fast.joints.of(island)) {
+        if (!isHinge(world, joint)) {
+            world.joints[joint] = fast.triedJoints[place.joint++];
+            continue;
+        }
         const TriedHinge& before = fast.triedHinges[place.hinge++];
         world.joints[joint].hinge = before.hinge;
         world.joints[joint].restLoad = before.restLoad;
@@ -135,7 +160,7 @@ void beginFirstTry(WorldState& world, double dt) {
         for (std::size_t i = begin; i < end; ++i) { fast.isTried[i] = mayBeTried(world, i, dt) ? 1 : 0; }
     });
     leaveOutBouncing(world, fast.isTried);
-    placeTried(fast);
+    placeTried(world);
     world.loops->run(count, kTryGrain, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i) {
             if (fast.isTried[i] != 0) { remember(world, i); }

@@ -379,7 +379,7 @@ void advanceIsland(WorldState& world, IslandDesk& desk, double dt, FlightScratch
         const double rest = dt - course.elapsed;
         const bool isOutOfTries = course.made++ == mostTries;
         if (isOutOfTries) { course.shortest = std::max(course.shortest, rest / lastParts); }
-        const double spin = fastestSpin(world, course.island, Spinners::all);
+        const double spin = fastestSpin(world, course.island.members, course.island.jointSlots, Spinners::all);
         if (spin * course.shortest > kHopelessTurn) { course.shortest = rest; }
         double time = std::max(std::min(course.next, mostOfWhirl), course.shortest);
         if (spin * time > maxTurn) { time = std::max(longestTurning(course, rest, maxTurn / spin), course.shortest); }

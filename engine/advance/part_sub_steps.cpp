@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../bodies/body_form.h"
 #include "../flight/whirls.h"
 #include "../islands/hard_pull.h"
 #include "../islands/rod_turn.h"
@@ -18,6 +19,9 @@ constexpr double kMaxTurnOfSubStep = 1.0 / 16;
 /// and waited a tenth of the time. A joint to the ground passes nothing on.
 constexpr int kFewestJointedSubSteps = 8;
 
+/// What is this part of its radius beside the centre of a wheel is on its axle.
+constexpr Real kAxleRatio = Real(1) / 256;
+
 /// Whether a joint ties members to each other, and not only to what does not yield.
 bool areMembersJoined(const WorldState& world, const AdvancingIsland& island) {
     const auto yields = [&world](std::uint32_t slot) { return world.bodies[slot].isDynamic(); };
@@ -25,6 +29,12 @@ bool areMembersJoined(const WorldState& world, const AdvancingIsland& island) {
         const auto bodies = world.joints[joint].allBodies();
         return std::count_if(bodies.begin(), bodies.end(), yields) > 1;
     });
+}
+
+/// Whether a joint holds a wheel beside its axle: then it goes round as that turns.
+bool isCrank(const Body& body, Vec2 localAnchor) {
+    return body.isDynamic() && isRound(body) &&
+           lengthSquared(localAnchor - body.localCenter) > square(kAxleRatio * body.radius);
 }
 
 /// Whether it is a body on its own whose pull is for short sub-steps.
@@ -36,26 +46,30 @@ bool isOneHard(const WorldState& world, const AdvancingIsland& island, double dt
 
 }  // namespace
 
-double fastestSpin(const WorldState& world, std::span<const std::uint32_t> members, Spinners which) {
+double fastestSpin(const WorldState& world, std::span<const std::uint32_t> members,
+                   std::span<const std::uint32_t> joints, Spinners which) {
     double fastest = 0;
-    for (const std::uint32_t slot : members) {
-        if (which == Spinners::heldByJoints && world.bodies[slot].holdingJoints == 0) { continue; }
+    const auto count = [&](std::uint32_t slot) {
         fastest = std::max(fastest, std::fabs(static_cast<double>(world.motions[slot].angularVelocity)));
+    };
+    for (const std::uint32_t slot : members) {
+        const Body& body = world.bodies[slot];
+        const bool isHeld = body.holdingJoints > 0;
+        if (isHeld ? !isRound(body) : which == Spinners::all) { count(slot); }
+    }
+    for (const std::uint32_t slot : joints) {
+        const Joint& joint = world.joints[slot];
+        if (isCrank(world.bodies[joint.bodyA], joint.localAnchorA)) { count(joint.bodyA); }
+        if (isCrank(world.bodies[joint.bodyB], joint.localAnchorB)) { count(joint.bodyB); }
+        fastest = std::max(fastest, rodTurnOf(world, joint));
     }
     return fastest;
 }
 
-double fastestSpin(const WorldState& world, const AdvancingIsland& island, Spinners which) {
-    double fastest = fastestSpin(world, island.members, which);
-    for (const std::uint32_t slot : island.jointSlots) {
-        fastest = std::max(fastest, rodTurnOf(world, world.joints[slot]));
-    }
-    return fastest;
-}
-
-bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, bool isJointed, double dt) {
+bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, std::span<const std::uint32_t> joints,
+               double dt) {
     if (fastestWhirl(world, members) > 0) { return false; }
-    return fastestSpin(world, members, Spinners::all) * dt <= (isJointed ? kMaxTurn : kMaxLooseTurn);
+    return fastestSpin(world, members, joints, Spinners::all) * dt <= (joints.empty() ? kMaxLooseTurn : kMaxTurn);
 }
 
 int subStepsOfPart(const WorldState& world, const AdvancingIsland& island, double time, double dt) {
@@ -74,7 +88,8 @@ int subStepsOfPart(const WorldState& world, const AdvancingIsland& island, doubl
     if (!isJointed) { return std::clamp(static_cast<int>(share), 1, standard); }
     const bool areJoined = areMembersJoined(world, island);
     // What is loose may whirl beside joints that lead to the ground alone: none of these has to follow that.
-    const double spin = fastestSpin(world, island, areJoined ? Spinners::all : Spinners::heldByJoints);
+    const double spin =
+        fastestSpin(world, island.members, island.jointSlots, areJoined ? Spinners::all : Spinners::heldByJoints);
     const double turns = std::ceil(spin * time / kMaxTurnOfSubStep);
     const int fewest = areJoined ? std::min(kFewestJointedSubSteps, standard) : 1;
     return std::clamp(static_cast<int>(std::min<double>(standard, std::max(turns, share))), fewest, standard);

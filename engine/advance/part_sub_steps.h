@@ -12,10 +12,10 @@ inline constexpr double kShortestPart = 1.0 / 128;
 
 /// Of which bodies the spin is asked.
 enum class Spinners : std::uint8_t { all, heldByJoints };
-/// rad/s, without its sign
-double fastestSpin(const WorldState& world, std::span<const std::uint32_t> members, Spinners which);
-/// The same, and of rods.
-double fastestSpin(const WorldState& world, const AdvancingIsland& island, Spinners which);
+/// rad/s, without its sign, of rods that go round as well. Not of wheels on their axles: they look the same however
+/// they turn, and hold what is on the axle where it is.
+double fastestSpin(const WorldState& world, std::span<const std::uint32_t> members,
+                   std::span<const std::uint32_t> joints, Spinners which);
 
 /// Radians that a member may turn in a part: sweeps go straight from pose to pose.
 inline constexpr double kMaxTurn = 0.5;
@@ -23,8 +23,8 @@ inline constexpr double kMaxTurn = 0.5;
 inline constexpr double kMaxLooseTurn = 2;
 
 /// Whether the first part of an island, and at most one of its parts, is the whole step.
-/// @param isJointed  hinges tie its members; @pre no other joint does
-bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, bool isJointed, double dt);
+bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, std::span<const std::uint32_t> joints,
+               double dt);
 
 /// Into how many sub-steps a part of the step goes: at most as many as the whole step would, and enough for joints to
 /// follow the turns of what they tie, which an impact may just have begun.

@@ -18,16 +18,17 @@ struct TriedContact {
     ContactOutcome before{};
 };
 
-/// Of a joint, all that such a solve may change and the next one begins with.
+/// Of a hinge, all that such a solve may change and the next one begins with.
 struct TriedHinge {
     HingeMemory hinge{};
     JointLoad restLoad{};
 };
 
-/// Where an island keeps what such a solve changes: index of its first member and joint there.
+/// Where an island keeps what such a solve changes: index of its first member, hinge and other joint there.
 struct TriedPlace {
     std::size_t body = 0;
     std::size_t hinge = 0;
+    std::size_t joint = 0;  ///< another one
 };
 
 /// Islands with something fast in them. Kept for its capacity.
@@ -41,10 +42,11 @@ struct FastIslands {
     bool anyDissolved = false;          ///< of these
     std::vector<std::uint8_t> isTried;  ///< by island, this step: solved with all else at first (first_try.h)
     std::vector<double> meets;  ///< by island: fraction of the step at which it met something then; 1: it did not
-    std::vector<TriedPlace> triedPlaces;      ///< by island, likewise: in the last two of these
+    std::vector<TriedPlace> triedPlaces;      ///< by island, likewise: in the last three of these
     std::vector<TriedContact> triedContacts;  ///< of all of them, before
     std::vector<BodyOutcome> triedBodies;     ///< their members
     std::vector<TriedHinge> triedHinges;      ///< and their joints
+    std::vector<Joint> triedJoints;           ///< those that are no hinges
     std::size_t eventsBefore = 0;
     IslandItems bodies;                                             ///< slots, in order of waking
     IslandItems contacts;                                           ///< indices of their probes
