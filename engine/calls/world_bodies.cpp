@@ -10,6 +10,7 @@
 #include "../bodies/world_boxes.h"
 #include "../contacts/pairs_of_shapes.h"
 #include "../modes/modes.h"
+#include "../solve/driven_joints.h"
 #include "../solve/joint_results.h"
 #include "../state/number_range.h"
 #include "../world.h"
@@ -252,6 +253,7 @@ Status World::setPose(BodyId id, DVec2 position, double angle) {
     motion.pose = {position, rotationFromAngle(angle)};
     motion.center = apply(motion.pose, world.bodies[id.index].localCenter);
     notePut(world.bodies[id.index]);
+    for (const std::uint32_t joint : world.bodies[id.index].joints) { notePut(world, world.joints.idOf(joint)); }
     if (!world.bodies[id.index].awake) { noteRest(world, id.index); }  // no step does it for what is fixed
     renewProxies(world, id.index);
     return Status::success();

@@ -22,6 +22,9 @@ constexpr double kSubStepRatio = 0.1;
 /// in the first step, sank in under the springs of the next ones, and were never high again.
 constexpr double kHighStack = 1.5;
 constexpr Real kHeavyRatio = 8;
+/// The same of ragdolls: they carry no more than themselves. (Fifty whose forearms weigh a tenth of the trunk took nine
+/// times as long, for joints that hold within a micrometre instead of 0.4 mm.)
+constexpr Real kHeavyLimbRatio = 32;
 /// What is heavy on few light ones, such as a table on its legs, need not be at rest for that. (A block of 1000 kg that
 /// was dropped from 1 cm on two boxes of 1 kg sank in by 2.2 cm, one of 10 000 kg through them; now 13 nm.) Larger
 /// heaps that move find no more in it than iteration does, and take up to twice the time.
@@ -95,14 +98,21 @@ bool isWeb(const IslandLoad& load) {
 /// carries, and for the heaviest body as well.
 double sagOf(double layers, double heaviest, double give) { return layers * ((layers + 1) / 2 + heaviest) * give; }
 
+/// Whether it is made of ragdolls by their joints: each has limits, a motor or a spring, and nothing holds them. They
+/// are larger than cars, whose wheels on motors are held exactly, and shorter than ropes.
+bool isOfDolls(const IslandLoad& load) {
+    const bool isInSize = load.longestChain + 1 >= kFewestInRagdoll && load.longestChain < kLongChain;
+    return load.plainJoints == 0 && isInSize && !load.isAnchored;
+}
+
 /// Whether islands that are iterated are many bodies on the move, none of which carries much: as many layers as the
 /// island is high, and the heaviest that lies loose. The springs give way by about h²·|g| under the weight of the body
 /// that they hold. Ragdolls that lie about, or that nothing holds up, are a crowd, too, on the move or about to be (in
 /// `rain` those just made were solved all at once twice, for a tenth of all time); what hangs on its drives and rests
 /// is not.
 bool isCrowd(const IslandLoad& load, bool rests, double gravity, double dt, int subSteps) {
-    // Joints that carry one another have to have a drive, or be a net: chains tighten.
-    const bool isRagdoll = load.joints > 0 && load.powered == load.joints;
+    // Joints that carry one another have to have a drive, or be a net or a doll: chains tighten.
+    const bool isRagdoll = load.joints > 0 && (load.powered == load.joints || isOfDolls(load));
     const bool isLoose = isRagdoll && (load.contacts > 0 || !load.isAnchored);
     const bool isNet = load.hasLoop && load.contacts == 0;
     const bool isPile = load.joints * kMovingShare <= load.bodies && !isTree(load);
@@ -137,7 +147,9 @@ DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps
     const Real heaviest = load.holdsAngles ? load.heaviestJointed : heaviestOf(load);
     // A beam that welds hold to the ground bends under what lies on it by what each weld gives way, times its length.
     const bool isBeam = load.longestBeam >= kLongBeam;
-    const bool isHopeless = isBeam || load.longestChain >= kLongChain || heaviest >= kHeavyRatio * load.lightestJointed;
+    // What hangs at an end, and touches nothing, passes nothing on: however light, it is in nobody's way.
+    const Real mostRatio = isOfDolls(load) ? kHeavyLimbRatio : kHeavyRatio;
+    const bool isHopeless = isBeam || load.longestChain >= kLongChain || heaviest >= mostRatio * load.lightestLink;
     // Two that hold the same bodies work against each other, the more so the nearer they come to a toggle.
     const bool isDoubled = load.joints >= load.bodies && load.plainJoints == load.joints;
     // What joints tie to the ground contacts with the ground may contradict, and then both win by turns.

@@ -41,10 +41,6 @@ void addBodiesOf(IslandLoad& load, const IslandLoad& more) {
     load.staysPut = load.staysPut && more.staysPut;
     load.heaviestLoose = std::max(load.heaviestLoose, more.heaviestLoose);
     load.heaviestJointed = std::max(load.heaviestJointed, more.heaviestJointed);
-    if (more.lightestJointed > 0) {
-        load.lightestJointed =
-            load.lightestJointed > 0 ? std::min(load.lightestJointed, more.lightestJointed) : more.lightestJointed;
-    }
     load.lightest = std::min(load.lightest, more.lightest);
     load.lightestLink = std::min(load.lightestLink, more.lightestLink);
     load.thinnest = std::min(load.thinnest, more.thinnest);
@@ -56,7 +52,6 @@ void addBody(IslandLoad& load, const BodyLoad& body) {
     addBodiesOf(load, {.bodies = 1,
                        .lightest = body.mass,
                        .lightestLink = body.isLink ? body.mass : std::numeric_limits<Real>::max(),
-                       .lightestJointed = body.isJointed ? body.mass : 0,
                        .heaviestJointed = body.isJointed ? body.mass : 0,
                        .thinnest = body.extent,
                        .lowest = body.height,

@@ -8,6 +8,8 @@
 
 #include "../state/tolerances.h"
 #include "energy_gain.h"
+#include "joint_builder.h"
+#include "joint_place.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -28,6 +30,14 @@ Real smallestOf(const WorldState& world, const Joint& joint, Real Body::*size) {
 /// Farther than a slow body moves in a step: nobody is pulled like that, but put elsewhere.
 bool isYank(const WorldState& world, const Joint& joint, Real moved) {
     return moved > kFastRatio * smallestOf(world, joint, &Body::extent);
+}
+
+/// Metres that a joint has to close, of angles those of the farther rim.
+Real gapOfPut(const WorldState& world, const Joint& joint) {
+    const JointErrors errors = errorsOf(world, joint);
+    const JointErrors limits = limitErrorsOf(world, joint);
+    const Real radius = std::max(world.bodies[joint.bodyA].radius, world.bodies[joint.bodyB].radius);
+    return std::max(errors.length, limits.length) + radius * std::max(errors.angle, limits.angle);
 }
 
 /// Of a mouse joint; null of others.
@@ -78,7 +88,7 @@ void tell(WorldState& world, const DrivenJoint& driven, const SolveDesk& desk) {
         if (account.solve != desk.energySolve) { continue; }
         account.isYanked = account.isYanked || driven.isYank;
         const Real speed = woundSpeed(driven);
-        if (isAccounted(*joint) || (driven.isYank && !(speed > 0))) { continue; }
+        if (isAccounted(*joint) || !(speed > 0)) { continue; }
         account.isLed = true;
         account.leadSpeed = std::max(account.leadSpeed, static_cast<double>(speed));
     }
@@ -114,6 +124,8 @@ void noteSpringDriven(WorldState& world, JointId joint, Real farthest) {
     driven.springJump = std::max(driven.springJump, farthest);
 }
 
+void notePut(WorldState& world, JointId joint) { noted(world, joint).isPut = true; }
+
 void beginDriven(WorldState& world, double dt) {
     const auto step = static_cast<Real>(dt);
     for (DrivenJoint& driven : world.drivenJoints) {
@@ -124,6 +136,9 @@ void beginDriven(WorldState& world, double dt) {
         if (joint == nullptr) { continue; }
         if (MouseConstraint* const mouse = mouseOf(*joint)) { mouse->pace = (1 / step) * mouse->toGo; }
         findMotion(driven, world, *joint, step);
+        if (std::exchange(driven.isPut, false) && isYank(world, *joint, gapOfPut(world, *joint))) {
+            driven.isYank = true;
+        }
         if (driven.motion.glide.any()) { world.jointTies[driven.joint.index].hingeParts.isGliding = true; }
     }
 }

@@ -20,6 +20,9 @@ void noteDriven(WorldState& world, JointId joint, const DrivenMove& move);
 /// As far as a call moved what the spring of a joint pulls to, metres. It is kept apart from the moves of its limits:
 /// no spring goes on at a pace, and the order of the calls does not matter.
 void noteSpringDriven(WorldState& world, JointId joint, Real farthest);
+/// One of its bodies was put elsewhere. What has no gap as the next step begins was no move of the joint, as where all
+/// of a group is put elsewhere, body by body.
+void notePut(WorldState& world, JointId joint);
 /// Before a step: targets, and limits that move steadily, set out for where they were set to, and get there at its end.
 void beginDriven(WorldState& world, double dt);
 /// After a step: targets are there, and what is as good as closed is driven no longer.

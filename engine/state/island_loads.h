@@ -20,7 +20,6 @@ struct IslandLoad {
     bool hasWideLoop = false;        ///< not all chains that do are `JointChain::isThin`
     std::uint32_t longestBeam = 0;   ///< joints that hold angles, of a chain that hangs on what is not dynamic
     std::uint32_t longestChain = 0;  ///< joints that hang together without contacts
-    Real lightestJointed = 0;        ///< kg, of the bodies that joints hold
     Real heaviestJointed = 0;
     Real thinnest = 0;  ///< smallest extent, metres
     double lowest = 0;  ///< centre of mass against gravity, metres

@@ -36,6 +36,7 @@ struct DrivenJoint {
     /// A move was a yank: farther than a slow body goes in a step, and than limits at a pace carry it. Nobody is pulled
     /// like that, but put elsewhere: the gap is closed at no cost, and that is no work of the joint.
     bool isYank = false;
+    bool isPut = false;  ///< one of its bodies was put elsewhere since the last step: a gap that is left is a yank
 
     // How far, as a length, whatever it is that was moved.
     Real toGo = 0;        ///< all moves since the last step, metres

@@ -63,5 +63,37 @@ TEST(PutElsewhere, AllOfATowerIsHeldThere) {
     });
 }
 
+/// Two balls with a hinge between them, and a crate on a rod: put into the air, farther from the balls than the rod
+/// reaches, or nearer, it falls, and ends on the floor as far away as the rod has it. What closed the gap was taken for
+/// joints that feed on each other, and all stayed where it was.
+TEST(PutElsewhere, WhatHangsOnAJointComesDown) {
+    for (const Profile profile : {Profile::fast, Profile::accurate}) {
+        for (const double height : {1.0, 1.5, 2.5}) {
+            for (const double hinge : {-0.07, 0.95}) {
+                World world = makeWorld(profile);
+                addStatic(world, box(9, 1), material(0.6), {0, -1});
+                const ShapeDef light = material(0.6, 0, 0.35);
+                const BodyId left = addBody(world, dynamicAt({-1.1, 0.27}), circle(0.27), light);
+                const BodyId right = addBody(world, dynamicAt({0.95, 0.2}), circle(0.2), light);
+                const BodyId crate = addBody(world, dynamicAt({-2.53, 0.19}), box(0.25, 0.19), material(0.6, 0, 1.5));
+                RevoluteJointDef pin;
+                pin.base = {.bodyA = right, .bodyB = left};
+                pin.anchor = {hinge, 0.23};
+                must(world.createJoint(pin));
+                DistanceJointDef rod;
+                rod.base = {.bodyA = right, .bodyB = crate};
+                rod.anchorA = {0.95, 0.2};
+                rod.anchorB = {-2.53, 0.19};
+                const JointId joint = must(world.createJoint(rod));
+                run(world, 60);
+                must(world.setPose(crate, {-0.82, height}, 0));
+                run(world, 300);
+                EXPECT_LT(world.position(crate).y, 0.4) << profileName(profile) << ", " << height << ", " << hinge;
+                EXPECT_LT(world.jointError(joint), 0.01) << profileName(profile) << ", " << height << ", " << hinge;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
