@@ -37,6 +37,28 @@ void addMeasures(WorldState& world, Body& body, std::span<const std::uint32_t> s
     if (body.isDynamic() && body.widest > 0) { world.leastWidth = std::min(world.leastWidth, body.widest); }
 }
 
+enum class Measure : std::uint8_t { reach, leastPassed, sensor, line, extent, widest, radius };
+
+/// Whether of some measures of a body one may be attained by no shape that it has: a look at a few shapes tells of
+/// most levels, whose tiles are of few sizes.
+bool isAnyLost(const WorldState& world, std::uint32_t slot, std::uint32_t attained) {
+    constexpr std::size_t kMostAsked = 16;
+    const Body& body = world.bodies[slot];
+    // The last ones: what was destroyed is often put back.
+    const std::size_t first = body.shapes.size() - std::min(body.shapes.size(), kMostAsked);
+    for (std::size_t i = body.shapes.size(); attained != 0 && i > first; --i) {
+        attained &= ~measuresAttained(body, world.shapes[body.shapes[i - 1]]);
+    }
+    return attained != 0;
+}
+
+/// The last sensor that is left tells how small sensors are.
+bool isOnlySensorNew(const WorldState& world, std::uint32_t slot) {
+    if (world.sensors.size() != 1) { return false; }
+    const Shape& shape = world.shapes[world.sensors.front()];
+    return shape.body == slot && leastPassed(shape) != world.leastPassedOfSensors;
+}
+
 }  // namespace
 
 Real leastPassed(const Shape& shape) { return (shape.isLine ? kTargetRatio : kFastRatio) * shape.extent; }
@@ -57,6 +79,28 @@ void measureAdded(WorldState& world, std::uint32_t slot, std::size_t first) {
     noteTravel(world, slot);  // with the radius of before
     addMeasures(world, body, std::span(body.shapes).subspan(first));
     if (!body.awake) { noteRest(world, slot); }
+}
+
+std::uint32_t measuresAttained(const Body& body, const Shape& shape) {
+    std::uint32_t attained = 0;
+    const auto note = [&attained](Measure measure, bool isAttained) {
+        attained |= isAttained ? 1U << static_cast<unsigned>(measure) : 0U;
+    };
+    note(Measure::reach, shape.radius >= body.reach);
+    note(Measure::leastPassed, leastPassed(shape) <= body.leastPassed);
+    note(Measure::sensor, shape.def.sensor);
+    if (shape.def.sensor) { return attained; }
+    note(Measure::line, shape.isLine);
+    note(Measure::extent, shape.extent <= body.extent);
+    note(Measure::widest, shape.extent >= body.widest);
+    note(Measure::radius, shape.radius >= body.radius);
+    return attained;
+}
+
+void noteLoss(WorldState& world, std::uint32_t body, std::uint32_t attained) {
+    if (!isAnyLost(world, body, attained) && !isOnlySensorNew(world, body)) { return; }
+    // As many as are taken away one after the other between two steps.
+    if (world.unmeasured.empty() || world.unmeasured.back() != body) { world.unmeasured.push_back(body); }
 }
 
 void measureAnew(WorldState& world) {

@@ -147,10 +147,10 @@ void refreshWith(WorldState& world, std::uint32_t body, std::size_t first) {
     measureAdded(world, body, first);
 }
 
-void refreshWithout(WorldState& world, std::uint32_t body) {
+/// @param attained  of `noteLoss`
+void refreshWithout(WorldState& world, std::uint32_t body, std::uint32_t attained) {
     if (world.bodies[body].isDynamic()) { return refresh(world, body, world.bodies[body].shapes.size()); }
-    // As many as are taken away one after the other between two steps.
-    if (world.unmeasured.empty() || world.unmeasured.back() != body) { world.unmeasured.push_back(body); }
+    noteLoss(world, body, attained);
 }
 
 /// All of one shape of the user's, which stand together in the list of its body.
@@ -267,8 +267,12 @@ Status World::destroyShape(ShapeId id) {
     wakeJoined(world, body);
     removePairs(world, places);
     removeFromBody(world.bodies[body], slots);
-    for (const std::uint32_t slot : slots) { removeShapeSlot(world, slot); }
-    refreshWithout(world, body);
+    std::uint32_t attained = 0;
+    for (const std::uint32_t slot : slots) {
+        attained |= measuresAttained(world.bodies[body], world.shapes[slot]);
+        removeShapeSlot(world, slot);
+    }
+    refreshWithout(world, body, attained);
     return Status::success();
 }
 
@@ -315,7 +319,7 @@ Status World::redefine(ShapeId id, const ShapeDef& def) {
     const bool isOtherMass = def.density != before.density || def.sensor != before.sensor;
     if (isOtherMass) {
         if (world.bodies[body].isDynamic()) { weigh(world, slots); }
-        refreshWithout(world, body);
+        refreshWithout(world, body, kAllMeasures);
     }
     if (isOtherMass || meetsOthers || isOtherSurface) { rouse(world, body); }
     return Status::success();
