@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "../state/tolerances.h"
 #include "body_mode.h"
@@ -11,20 +12,40 @@
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
-/// The box of a kinematic shape spans its whole next step: others are swept against it there.
-Aabb spanningBox(const WorldState& world, const Shape& shape, Real reach) {
-    const BodyMotion& motion = world.motions[shape.body];
-    const Body& body = world.bodies[shape.body];
+/// How a kinematic body moves in its next step: the same for all of its shapes, which may be thousands.
+struct KinematicStep {
+    DVec2 way;
+    bool turns;
+    // Of one that turns:
+    WorldTransform end;
+    Real bulge;  ///< a point leaves the straight line between both ends by that much of its arm at most
+};
+
+KinematicStep kinematicStep(const WorldState& world, std::uint32_t slot) {
+    const BodyMotion& motion = world.motions[slot];
     const DVec2 center = motion.center + world.lastDt * toDouble(motion.velocity);
     const double angle = motion.angle + world.lastDt * static_cast<double>(motion.angularVelocity);
-    if (angle == motion.angle) {  // most platforms do not turn, and a sine and a cosine are most of a pose
-        return boundsOf(shape.polygon, motion.pose, center - motion.center, reach);
-    }
-    // A point that turns leaves the straight line between both ends by that much of its arm at most.
+    const DVec2 way = center - motion.center;
+    // Most platforms do not turn, and a sine and a cosine are most of a pose.
+    if (angle == motion.angle) { return {.way = way, .turns = false, .end = motion.pose, .bulge = 0}; }
     const double turn = angle - motion.angle;
-    const auto bulge = static_cast<Real>(std::min(turn * turn / 8, 2.0)) * shape.radius;
-    return hullOf(boundsOf(shape.polygon, motion.pose, {}, reach + bulge),
-                  boundsOf(shape.polygon, poseOf(center, angle, body.localCenter), {}, reach + bulge));
+    return {.way = way,
+            .turns = true,
+            .end = poseOf(center, angle, world.bodies[slot].localCenter),
+            .bulge = static_cast<Real>(std::min(turn * turn / 8, 2.0))};
+}
+
+/// Of a kinematic body; of others nothing.
+std::optional<KinematicStep> stepIfKinematic(const WorldState& world, std::uint32_t slot) {
+    if (world.bodies[slot].def.type != BodyType::kinematic) { return std::nullopt; }
+    return kinematicStep(world, slot);
+}
+
+/// The box of a kinematic shape spans its whole next step: others are swept against it there.
+Aabb spanningBox(const Shape& shape, const WorldTransform& pose, const KinematicStep& step, Real reach) {
+    if (!step.turns) { return boundsOf(shape.polygon, pose, step.way, reach); }
+    const Real around = reach + step.bulge * shape.radius;
+    return hullOf(boundsOf(shape.polygon, pose, {}, around), boundsOf(shape.polygon, step.end, {}, around));
 }
 
 /// What is fast leaves its box in every step, so a box that is quickly made is better than a tight one: that of its
@@ -39,7 +60,8 @@ Aabb circleBox(DVec2 center, double radius) {
 }
 
 /// Of a body that is moved so far in the step at most.
-Aabb neededBoxOf(const WorldState& world, const Shape& shape, Real motion) {
+/// @param step  of `stepIfKinematic`
+Aabb neededBoxOf(const WorldState& world, const Shape& shape, Real motion, const std::optional<KinematicStep>& step) {
     const Body& body = world.bodies[shape.body];
     if (body.def.type == BodyType::fixed) { return boundsOf(shape.polygon, world.motions[shape.body].pose); }
     const Real reach = reachOfMotion(motion, shape.extent, modeOf(world, body) == ContinuousMode::speculative);
@@ -48,14 +70,15 @@ Aabb neededBoxOf(const WorldState& world, const Shape& shape, Real motion) {
         return circleBox(world.motions[shape.body].center,
                          static_cast<double>(radius) * (1 + static_cast<double>(kEpsilon)));
     }
-    return body.isDynamic() ? boundsOf(shape.polygon, world.motions[shape.body].pose, {}, reach)
-                            : spanningBox(world, shape, reach);
+    const WorldTransform& pose = world.motions[shape.body].pose;
+    return step ? spanningBox(shape, pose, *step, reach) : boundsOf(shape.polygon, pose, {}, reach);
 }
 
 }  // namespace
 
 Aabb neededBox(const WorldState& world, const Shape& shape) {
-    return neededBoxOf(world, shape, reachMotion(world, shape.body, static_cast<Real>(world.lastDt)));
+    return neededBoxOf(world, shape, reachMotion(world, shape.body, static_cast<Real>(world.lastDt)),
+                       stepIfKinematic(world, shape.body));
 }
 
 namespace {
@@ -118,19 +141,22 @@ bool keepsBoxes(const WorldState& world, std::uint32_t slot) {
 }
 
 /// Kept for the stage of contacts of the next step.
-const Aabb& renewNeededBox(WorldState& world, const Shape& shape, Real motion) {
+const Aabb& renewNeededBox(WorldState& world, const Shape& shape, Real motion,
+                           const std::optional<KinematicStep>& step) {
     const auto room = static_cast<Real>(world.travels[shape.body].boxRoom);
-    const Aabb needed = neededBoxOf(world, shape, motion);
+    const Aabb needed = neededBoxOf(world, shape, motion, step);
     return world.neededBoxes[static_cast<std::size_t>(shape.proxy)] = room > 0 ? grown(needed, room) : needed;
 }
 
-/// Makes the boxes of some shapes of a body anew. @param motion  of `noteBoxes`
+/// Makes the boxes of a body's shapes anew, from one of them on. @param motion  of `noteBoxes`
 /// @param take  takes a proxy whose box is too small now, and the one for its place
 template <class Take>
-void fitBoxes(WorldState& world, std::span<const std::uint32_t> shapes, Real motion, const Take& take) {
-    for (const std::uint32_t slot : shapes) {
+void fitBoxes(WorldState& world, std::uint32_t body, std::size_t first, Real motion, const Take& take) {
+    const std::optional<KinematicStep> step = stepIfKinematic(world, body);
+    const std::span<const std::uint32_t> shapes = world.bodies[body].shapes;
+    for (const std::uint32_t slot : shapes.subspan(first)) {
         const Shape& shape = world.shapes[slot];
-        const Aabb& needed = renewNeededBox(world, shape, motion);
+        const Aabb& needed = renewNeededBox(world, shape, motion, step);
         if (!contains(world.broadphase->box(shape.proxy), needed)) {
             take(shape.proxy, fattened(world, shape, needed));
         }
@@ -142,7 +168,7 @@ template <class Take>
 void visitOutgrown(WorldState& world, std::uint32_t body, const Take& take) {
     if (keepsBoxes(world, body)) { return; }
     const Real motion = noteBoxes(world, body);
-    fitBoxes(world, world.bodies[body].shapes, motion, take);
+    fitBoxes(world, body, 0, motion, take);
 }
 
 void moveProxy(WorldState& world, ProxyId proxy, const Aabb& box) {
@@ -169,17 +195,17 @@ void updateProxiesFrom(WorldState& world, std::uint32_t body, std::size_t first,
     const BodyTravel& now = world.travels[body];
     const bool isWhereItWas = world.bodies[body].fresh && world.bodies[body].awake;
     const bool areSame = isWhereItWas && now.boxMotion == before.boxMotion && now.boxRoom == before.boxRoom;
-    const std::span<const std::uint32_t> shapes = world.bodies[body].shapes;
-    fitBoxes(world, shapes.subspan(areSame ? first : 0), motion,
+    fitBoxes(world, body, areSame ? first : 0, motion,
              [&world](ProxyId proxy, const Aabb& box) { moveProxy(world, proxy, box); });
 }
 
 void renewProxies(WorldState& world, std::uint32_t body) {
     if (!world.bodies[body].def.enabled) { return; }
     const Real motion = noteBoxes(world, body);
+    const std::optional<KinematicStep> step = stepIfKinematic(world, body);
     for (const std::uint32_t slot : world.bodies[body].shapes) {
         const Shape& shape = world.shapes[slot];
-        moveProxy(world, shape.proxy, fattened(world, shape, renewNeededBox(world, shape, motion)));
+        moveProxy(world, shape.proxy, fattened(world, shape, renewNeededBox(world, shape, motion, step)));
         (void)world.broadphase->renewPairs(shape.proxy);  // the shape owns it: never stale
     }
 }
