@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../../shapes/real.h"
+#include "real.h"
 #ifdef __STDCPP_THREADS__
 #include <mutex>
 #endif
