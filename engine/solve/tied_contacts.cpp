@@ -18,6 +18,7 @@
 #include "blow_answer.h"
 #include "step_change.h"
 #include "strained_bodies.h"
+#include "turning_lanes.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -112,19 +113,9 @@ void TiedContacts::forEachLink(const Visit& visit) const {
 ContactFrame TiedContacts::frameOf(const Contact& contact, const ContactLink& link) const {
     const ContactFrame frame = contactFrameOf(world_.motions[contact.bodyA], world_.bodies[contact.bodyA].localCenter,
                                               world_.motions[contact.bodyB]);
-    return isOnTurning(link) ? turned(frame, groundTurnOf(group_.desk, link.slotA, link.slotB)) : frame;
-}
-
-bool TiedContacts::isOnTurning(const ContactLink& link) const {
-    return isTurning(group_.desk, link.slotA) || isTurning(group_.desk, link.slotB);
-}
-
-/// @pre one of its bodies is ground that turns
-/// @param armA, armB  along the tangent, of the first point
-ContactRadii TiedContacts::radiiOf(const ContactLink& link, Vec2 normal, Real armA, Real armB) const {
-    const Contact& contact = group_.contacts[link.source];
-    return radiiOnTurning(world_.motions[contact.bodyA], world_.motions[contact.bodyB],
-                          isTurning(group_.desk, link.slotA), normal, armA, armB, {contact.radiusA, contact.radiusB});
+    return anyTurns(group_.desk, link.slotA, link.slotB)
+               ? turned(frame, groundTurnOf(group_.desk, link.slotA, link.slotB))
+               : frame;
 }
 
 ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
@@ -136,14 +127,7 @@ ContactConstraint TiedContacts::constraintFor(const ContactLink& link) {
     constraint.softness = softnessOf(link);
     constraint.radiusA = contact.radiusA;
     constraint.radiusB = contact.radiusB;
-    if (isOnTurning(link)) {
-        const Vec2 tangent = rightPerp(constraint.normal);
-        const ContactConstraintPoint& point = constraint.points[0];
-        const ContactRadii radii =
-            radiiOf(link, constraint.normal, cross(point.anchorA, tangent), cross(point.anchorB, tangent));
-        constraint.radiusA = radii.a;
-        constraint.radiusB = radii.b;
-    }
+    if (anyTurns(group_.desk, link.slotA, link.slotB)) { setTurningRadii(world_, group_, link, constraint); }
     constraint.source = link.source;
     constraint.bounceSpeed = bounceSpeedOf(contact);
     for (std::size_t k = 0; k < link.points; ++k) {
@@ -185,47 +169,6 @@ void TiedContacts::setLane(WideContact<kPoints>& block, std::size_t lane, const 
     from.rows[lane] = &contact;
 }
 
-/// @return one bit per lane: it is on ground that turns
-template <std::size_t kPoints>
-std::uint32_t TiedContacts::lanesOnTurning(const WideContact<kPoints>& block, Links links) const {
-    std::uint32_t lanes = 0;
-    if (group_.desk.groundTurns.empty()) { return lanes; }
-    for (std::size_t lane = 0; lane < block.lanes; ++lane) {
-        if (block.inverseMassA[lane] > 0 && block.inverseMassB[lane] > 0) { continue; }
-        lanes |= (isOnTurning(links[lane]) ? 1U : 0U) << lane;
-    }
-    return lanes;
-}
-
-void TiedContacts::turnLanes(std::uint32_t lanes, Links links, ContactSources& from) const {
-    for (; lanes != 0; lanes &= lanes - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-        const ContactFrame frame = turned({.rotation = {from.rotationC[lane], from.rotationS[lane]},
-                                           .localCenterA = {from.localCenterX[lane], from.localCenterY[lane]},
-                                           .fromAToB = {from.fromAToBX[lane], from.fromAToBY[lane]}},
-                                          groundTurnOf(group_.desk, links[lane].slotA, links[lane].slotB));
-        from.rotationC[lane] = frame.rotation.c;
-        from.rotationS[lane] = frame.rotation.s;
-        from.localCenterX[lane] = frame.localCenterA.x;
-        from.localCenterY[lane] = frame.localCenterA.y;
-        from.fromAToBX[lane] = frame.fromAToB.x;
-        from.fromAToBY[lane] = frame.fromAToB.y;
-    }
-}
-
-/// @pre the block is filled
-template <std::size_t kPoints>
-void TiedContacts::setRadii(std::uint32_t lanes, WideContact<kPoints>& block, Links links) const {
-    for (; lanes != 0; lanes &= lanes - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-        const WideContactPoint& point = block.points[0];
-        const ContactRadii radii = radiiOf(links[lane], {block.normalX[lane], block.normalY[lane]},
-                                           point.tangentArmA[lane], point.tangentArmB[lane]);
-        block.radiusA[lane] = radii.a;
-        block.radiusB[lane] = radii.b;
-    }
-}
-
 /// The same as `constraintFor` makes, without making one.
 template <std::size_t kPoints>
 void TiedContacts::fillBlocks(std::span<WideContact<kPoints>> blocks, Links links) {
@@ -247,14 +190,14 @@ void TiedContacts::fillBlocks(std::span<WideContact<kPoints>> blocks, Links link
             if (lane + kAhead < links.size()) { fetchRow(group_.contacts[links[lane + kAhead].source]); }
             setLane(block, lane, links[lane], from);
         }
-        const std::uint32_t turning = lanesOnTurning(block, links);
-        turnLanes(turning, links, from);
+        const std::uint32_t turning = lanesOnTurning(group_.desk, block, links);
+        turnLanes(turning, group_.desk, links, from);
         if constexpr (kPoints == 2) {
             contactRowKernels()->fillTwo(block, from, terms);
         } else {
             contactRowKernels()->fillOne(block, from, terms);
         }
-        setRadii(turning, block, links);
+        setTurningRadii(turning, world_, group_, links, block);
         if (!group_.desk.grounds.empty()) { softenStrained(block, links); }
         links = links.subspan(kBlockLanes);
     }

@@ -4,7 +4,6 @@
 #include "constraint_builder.h"
 #include "tied_group.h"
 #include "tied_hits.h"
-#include "turning_ground.h"
 
 namespace swept::inline SWEPT_PRECISION {
 
@@ -47,18 +46,11 @@ private:
     void forEachLink(const Visit& visit) const;
     LinkCounts linkSome(std::span<const TouchingPair> pairs, ContactLink* to) const;
     ContactFrame frameOf(const Contact& contact, const ContactLink& link) const;
-    ContactRadii radiiOf(const ContactLink& link, Vec2 normal, Real armA, Real armB) const;
     ContactConstraint constraintFor(const ContactLink& link);
     template <std::size_t kPoints>
     void fillBlocks(std::span<WideContact<kPoints>> blocks, Links links);
     template <std::size_t kPoints>
     void setLane(WideContact<kPoints>& block, std::size_t lane, const ContactLink& link, ContactSources& from) const;
-    bool isOnTurning(const ContactLink& link) const;
-    template <std::size_t kPoints>
-    std::uint32_t lanesOnTurning(const WideContact<kPoints>& block, Links links) const;
-    void turnLanes(std::uint32_t lanes, Links links, ContactSources& from) const;
-    template <std::size_t kPoints>
-    void setRadii(std::uint32_t lanes, WideContact<kPoints>& block, Links links) const;
     template <std::size_t kPoints>
     void takeBlocks(std::span<const WideContact<kPoints>> blocks, Links links);
     template <std::size_t kPoints>

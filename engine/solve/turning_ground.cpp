@@ -44,11 +44,28 @@ void findTurningGround(const WorldState& world, const TiedGroup& group, Real tim
     }
 }
 
-ContactRadii radiiOnTurning(const BodyMotion& a, const BodyMotion& b, bool isOnA, Vec2 normal, Real armA, Real armB,
-                            const ContactRadii& round) {
+ContactRadii radiiOnTurning(const WorldState& world, const TiedGroup& group, const ContactLink& link, Vec2 normal,
+                            Real armA, Real armB) {
+    const Contact& contact = group.contacts[link.source];
+    const BodyMotion& a = world.motions[contact.bodyA];
+    const BodyMotion& b = world.motions[contact.bodyB];
     const Real across = dot(b.velocity - a.velocity, rightPerp(normal));
-    if (isOnA) { return {(across - 2 * b.angularVelocity * (round.b - armB)) / a.angularVelocity - 2 * armA, round.b}; }
-    return {round.a, (across - 2 * a.angularVelocity * (armA + round.a)) / b.angularVelocity + 2 * armB};
+    if (isTurning(group.desk, link.slotA)) {
+        const Real own = contact.radiusB - armB;
+        return {(across - 2 * b.angularVelocity * own) / a.angularVelocity - 2 * armA, contact.radiusB};
+    }
+    const Real own = armA + contact.radiusA;
+    return {contact.radiusA, (across - 2 * a.angularVelocity * own) / b.angularVelocity + 2 * armB};
+}
+
+void setTurningRadii(const WorldState& world, const TiedGroup& group, const ContactLink& link,
+                     ContactConstraint& constraint) {
+    const Vec2 tangent = rightPerp(constraint.normal);
+    const ContactConstraintPoint& point = constraint.points[0];
+    const ContactRadii radii = radiiOnTurning(world, group, link, constraint.normal, cross(point.anchorA, tangent),
+                                              cross(point.anchorB, tangent));
+    constraint.radiusA = radii.a;
+    constraint.radiusB = radii.b;
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -24,6 +24,8 @@ inline bool isTurning(const SolveDesk& desk, BodySlot slot) {
     return !desk.groundTurns.empty() && desk.groundTurns[slot].isAny();
 }
 
+inline bool anyTurns(const SolveDesk& desk, BodySlot a, BodySlot b) { return isTurning(desk, a) || isTurning(desk, b); }
+
 /// Whether what is moved in that slot touches ground that turns.
 inline bool isOnTurning(const SolveDesk& desk, BodySlot slot) {
     return !desk.groundTurns.empty() && desk.groundTurns[slot].isTouched;
@@ -50,8 +52,10 @@ struct ContactRadii {
 };
 
 /// @pre one of the two is ground that turns
-/// @param armA, armB  along the tangent, of one point or the mean of two, in the frame of half of the turn
-ContactRadii radiiOnTurning(const BodyMotion& a, const BodyMotion& b, bool isOnA, Vec2 normal, Real armA, Real armB,
-                            const ContactRadii& round);
+/// @param armA, armB  along the tangent, of the first point, in the frame of half of the turn
+ContactRadii radiiOnTurning(const WorldState& world, const TiedGroup& group, const ContactLink& link, Vec2 normal,
+                            Real armA, Real armB);
+void setTurningRadii(const WorldState& world, const TiedGroup& group, const ContactLink& link,
+                     ContactConstraint& constraint);
 
 }  // namespace swept::inline SWEPT_PRECISION
