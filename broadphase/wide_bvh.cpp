@@ -21,35 +21,19 @@ std::size_t levelToCut(const WideTree& moving) {
 
 void WideBvh::onInsert(std::uint32_t slot) {
     if (slot == places_.size()) { places_.push_back(0); }
-    const std::size_t kind = kindAt(slot);
-    trees_[kind].insert(slot, table().boxAt(slot), places_);
-    kinds_[kind].ordered.insert(slot, table().boxAt(slot));
+    treeAt(slot).insert(slot, table().boxAt(slot), places_);
 }
 
-void WideBvh::onMove(std::uint32_t slot) {
-    const std::size_t kind = kindAt(slot);
-    trees_[kind].move(places_[slot], table().boxAt(slot));
-    kinds_[kind].ordered.move(slot, table().boxAt(slot));
-}
-
-void WideBvh::onRenew(std::uint32_t slot) {
-    const std::size_t kind = kindAt(slot);
-    trees_[kind].forget(places_[slot]);
-    kinds_[kind].ordered.noteChange();
-}
+void WideBvh::onMove(std::uint32_t slot) { treeAt(slot).move(places_[slot], table().boxAt(slot)); }
 
 void WideBvh::onBeginMoves() {
-    for (OfKind& kind : kinds_) {
-        kind.ordered.drop();
-        kind.anyInParallel.store(false, std::memory_order_relaxed);
-    }
+    for (CopiedAtomic<bool>& any : kindsInParallel_) { any.store(false, std::memory_order_relaxed); }
 }
 
 void WideBvh::onMoveInParallel(std::uint32_t slot, const Aabb& box) {
     table().moveUnmarked(slot, box);
-    const std::size_t kind = kindAt(slot);
-    trees_[kind].moveInParallel(places_[slot], box);
-    CopiedAtomic<bool>& any = kinds_[kind].anyInParallel;
+    treeAt(slot).moveInParallel(places_[slot], box);
+    CopiedAtomic<bool>& any = kindsInParallel_[static_cast<std::size_t>(table().kindOf(static_cast<ProxyId>(slot)))];
     if (!any.load(std::memory_order_relaxed)) { any.store(true, std::memory_order_relaxed); }  // mostly it is
 }
 
@@ -59,24 +43,19 @@ std::size_t WideBvh::onEndMoves(TaskSystem& loops) {
     std::size_t count = 0;
     for (std::size_t kind = 0; kind < trees_.size(); ++kind) {
         // The others need not be gone through for marks: most of a large world is ground.
-        if (kinds_[kind].anyInParallel.load(std::memory_order_relaxed)) { count += trees_[kind].endMoves(loops); }
+        if (kindsInParallel_[kind].load(std::memory_order_relaxed)) { count += trees_[kind].endMoves(loops); }
     }
     if (count > 0) { prepareJoins(loops); }
     return count;
 }
 
 void WideBvh::prepareJoins(TaskSystem& loops) {
-    for (std::size_t kind = 0; kind < trees_.size(); ++kind) {
-        const bool isInOrder = kinds_[kind].ordered.giveTo(trees_[kind], places_);
-        if (trees_[kind].prepareJoin(places_, loops) || isInOrder) { countRebuild(); }
+    for (WideTree& tree : trees_) {
+        if (tree.prepareJoin(places_, loops)) { countRebuild(); }
     }
 }
 
-void WideBvh::onRemove(std::uint32_t slot) {
-    const std::size_t kind = kindAt(slot);
-    trees_[kind].remove(places_[slot]);
-    kinds_[kind].ordered.remove(slot);
-}
+void WideBvh::onRemove(std::uint32_t slot) { treeAt(slot).remove(places_[slot]); }
 
 /// Each kind with each: in one piece where little has moved, else cut where so many nodes are that several workers find
 /// work, whether there are several or not. (Each piece goes down from the top of the other tree by itself: that costs
@@ -131,8 +110,8 @@ void WideBvh::onPairsDone(TaskSystem& loops) {
 std::uint64_t WideBvh::visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
     std::uint64_t tests = 0;
     bool goOn = true;
-    for (std::size_t kind = 0; kind < trees_.size(); ++kind) {
-        tests += kernels_.query(searched(kind), box, goOn, visit);
+    for (const WideTree& tree : trees_) {
+        tests += kernels_.query(tree, box, goOn, visit);
         if (!goOn) { break; }
     }
     return tests;
@@ -140,24 +119,23 @@ std::uint64_t WideBvh::visitOverlaps(const Aabb& box, FunctionRef<bool(ProxyId)>
 
 std::uint64_t WideBvh::visitGround(const Aabb& box, FunctionRef<bool(ProxyId)> visit) const {
     bool goOn = true;
-    const std::uint64_t tests = kernels_.query(searched(ProxyKind::fixed), box, goOn, visit);
-    const WideTree& kinematic = searched(ProxyKind::kinematic);
+    const std::uint64_t tests = kernels_.query(tree(ProxyKind::fixed), box, goOn, visit);
+    const WideTree& kinematic = tree(ProxyKind::kinematic);
     return goOn && kinematic.height() > 0 ? tests + kernels_.query(kinematic, box, goOn, visit) : tests;
 }
 
 std::uint64_t WideBvh::visitDynamic(std::span<const Aabb> boxes, FunctionRef<void(std::size_t, ProxyId)> visit) const {
     std::uint64_t tests = 0;
-    const WideTree& dynamic = searched(ProxyKind::dynamic);
     for (std::size_t first = 0; first < boxes.size(); first += kWide) {
-        tests += kernels_.queries(dynamic, WideBoxes::of(boxes.subspan(first)),
+        tests += kernels_.queries(tree(ProxyKind::dynamic), WideBoxes::of(boxes.subspan(first)),
                                   [&](std::uint32_t lane, ProxyId id) { visit(first + lane, id); });
     }
     return tests;
 }
 
 void WideBvh::visitAlong(SweepVisit& visit) const {
-    for (std::size_t kind = 0; kind < trees_.size(); ++kind) {
-        kernels_.sweep(searched(kind), visit);
+    for (const WideTree& tree : trees_) {
+        kernels_.sweep(tree, visit);
         if (visit.isOver()) { return; }
     }
 }
@@ -165,7 +143,6 @@ void WideBvh::visitAlong(SweepVisit& visit) const {
 std::size_t WideBvh::structureBytes() const {
     std::size_t sum = bytesOf(places_);
     for (const WideTree& tree : trees_) { sum += tree.memoryBytes(); }
-    for (const OfKind& kind : kinds_) { sum += kind.ordered.memoryBytes(); }
     for (const WideScratch& scratch : scratch_) {
         sum += bytesOf(scratch.found);
         for (const auto& list : scratch.candidates) { sum += bytesOf(list); }

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "../shapes/copied_atomic.h"
-#include "ordered_tree.h"
 #include "table_broadphase.h"
 #include "wide_kernels.h"
 #include "wide_tree.h"
@@ -26,14 +25,14 @@ public:
     /// All of it (shapes/listed_members.h).
     template <class Self>
     static constexpr auto allMembers(Self& self) {
-        return listed(baseOf<TableBroadphase>(self), leftOut(self.kernels_), self.trees_, leftOut(self.kinds_),
-                      self.places_, leftOut(self.joins_), leftOut(self.scratch_));
+        return listed(baseOf<TableBroadphase>(self), leftOut(self.kernels_), self.trees_,
+                      leftOut(self.kindsInParallel_), self.places_, leftOut(self.joins_), leftOut(self.scratch_));
     }
 
 private:
     void onInsert(std::uint32_t slot) override;
     void onMove(std::uint32_t slot) override;
-    void onRenew(std::uint32_t slot) override;
+    void onRenew(std::uint32_t slot) override { treeAt(slot).forget(places_[slot]); }
     void onRemove(std::uint32_t slot) override;
     void onBeginMoves() override;
     void onMoveInParallel(std::uint32_t slot, const Aabb& box) override;
@@ -47,25 +46,16 @@ private:
     void visitAlong(SweepVisit& visit) const override;
     std::size_t structureBytes() const override;
 
-    std::size_t kindAt(std::uint32_t slot) const {
-        return static_cast<std::size_t>(table().kindOf(static_cast<ProxyId>(slot)));
+    WideTree& treeAt(std::uint32_t slot) {
+        return trees_[static_cast<std::size_t>(table().kindOf(static_cast<ProxyId>(slot)))];
     }
-    /// For queries.
-    const WideTree& searched(std::size_t kind) const { return kinds_[kind].ordered.of(trees_[kind], places_.size()); }
-    const WideTree& searched(ProxyKind kind) const { return searched(static_cast<std::size_t>(kind)); }
-
-    /// Beside its tree.
-    struct OfKind {
-        CopiedAtomic<bool> anyInParallel = false;  ///< some of it were moved in parallel
-        OrderedTree ordered;
-    };
 
     void prepareJoins(TaskSystem& loops);
     void listJoins();
 
     const WideKernels& kernels_;
     std::array<WideTree, kProxyKindCount> trees_;
-    std::array<OfKind, kProxyKindCount> kinds_;
+    std::array<CopiedAtomic<bool>, kProxyKindCount> kindsInParallel_{};  // some of it were moved in parallel
     std::vector<std::uint32_t> places_;  // one per slot: the place in the tree of the slot's kind
     std::vector<WideJoin> joins_;        // the pieces of a search, none of which needs another
     std::vector<WideScratch> scratch_;   // one per worker

@@ -52,7 +52,10 @@ Aabb WideBoxes::hull() const {
 }
 
 void WideTree::insert(std::uint32_t slot, const Aabb& box, std::span<std::uint32_t> places) {
-    if (misplaced_ > 2 * size_ + kWide) { putInOrder(places); }  // pairs are never asked for: room stays bounded
+    if (misplaced_ > 2 * size_ + kWide) {  // pairs are never asked for: room stays bounded
+        SerialTaskSystem alone;
+        rebuild(places, alone);
+    }
     places[slot] = append(slot, box, kNoBox);
     ++size_;
 }
@@ -234,7 +237,7 @@ bool WideTree::isWorthRebuilding() const {
     // when the decay has cost that much already: what is lost is never more than twice what the best moment would have
     // cost ("ski rental"). Decay counts what moves here; the other limit is for trees at rest that others move through.
     constexpr double kBuildInJoins = 1.5;
-    return isMisplaced() || decay_ > kBuildInJoins * size_;
+    return misplaced_ > kWide + size_ / 2 || decay_ > kBuildInJoins * size_;
 }
 
 /// What jumped away from the seven others of its node blows the node up, and starts anew at the end. What jumped with

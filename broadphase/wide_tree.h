@@ -92,11 +92,6 @@ public:
     bool prepareJoin(std::span<std::uint32_t> places, TaskSystem& loops);
     /// From here on all boxes are known, and nothing has moved.
     void finishJoin(TaskSystem& loops);
-    /// Whether it will be rebuilt by `prepareJoin`, since so many boxes came that a query would look at them one by
-    /// one, and they are so many that this matters.
-    bool isDisordered() const { return misplaced_ > kFewestDisordered && isMisplaced(); }
-    /// The rebuild that is due then, on the calling thread.
-    void putInOrder(std::span<std::uint32_t> places);
 
     /// Number of levels; 0 when nothing was ever put into it. The highest has one node.
     std::size_t height() const { return height_; }
@@ -105,7 +100,6 @@ public:
     const WideBoxes* known() const { return known_.data(); }
     /// One per lane of level 0; `kNoSlot` where nothing is.
     const std::uint32_t* slots() const { return slots_.data(); }
-    std::span<const std::uint32_t> allSlots() const { return slots_; }
     /// One bit per lane, one byte per node of level 0.
     const std::uint8_t* movedLanes() const { return movedLanes_.data(); }
     /// What has moved, as of `prepareJoin`: one list per level, with a sentinel at its end; empty when nothing has.
@@ -126,9 +120,6 @@ public:
     }
 
 private:
-    /// Boxes that are searched one by one in half a microsecond.
-    static constexpr std::uint32_t kFewestDisordered = 256;
-
     struct Item {
         float x;  // of the centre: enough to find a good order
         float y;
@@ -148,7 +139,6 @@ private:
     void refit(TaskSystem& loops);
     void refitNodes(std::size_t begin, std::size_t end);
     void listMovedAbove(std::size_t level);
-    bool isMisplaced() const { return misplaced_ > kWide + size_ / 2; }
     bool isWorthRebuilding() const;
     void makeRoomForItems(std::size_t count);
     void rebuild(std::span<std::uint32_t> places, TaskSystem& loops);

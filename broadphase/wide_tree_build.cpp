@@ -137,11 +137,6 @@ void WideTree::rebuild(std::span<std::uint32_t> places, TaskSystem& loops) {
     decay_ = 0;
 }
 
-void WideTree::putInOrder(std::span<std::uint32_t> places) {
-    SerialTaskSystem alone;
-    rebuild(places, alone);
-}
-
 /// Whatever a rebuild asks for, before it moves anything: when memory runs out the tree stays as it is.
 void WideTree::makeRoomForItems(std::size_t count) {
     std::size_t nodes = count >> kLaneBits;

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "../../shapes/short_lock.h"
 #include "../../solver/contacts/contact_constraint.h"
+#include "../crew/short_lock.h"
 #include "../state/step_part.h"
 #include "../state/world_state.h"
 

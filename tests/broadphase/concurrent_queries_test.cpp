@@ -48,54 +48,5 @@ TEST(ConcurrentQueries, SeeTheSameAsOneThread) {
     }
 }
 
-/// Before pairs are asked for the first time, and after so much has come and gone since that a structure may be made
-/// anew for the queries, by whichever comes first.
-TEST(ConcurrentQueries, FindWhatHasJustCome) {
-    for (const BroadphaseKind kind : kEveryKind) {
-        Random random(22);
-        const auto broadphase = makeBroadphase(kind);
-        const auto plain = makeBroadphase(BroadphaseKind::allPairs);  // looks at each box
-        std::vector<Aabb> boxes;
-        std::vector<ProxyId> ids;
-        std::vector<ProxyPair> pairs;
-        std::vector<ProxyPair> expectedPairs;
-        for (int round = 0; round < 12; ++round) {
-            for (int i = 0; i < 700; ++i) {
-                boxes.push_back(randomBox(Family::scattered, random));
-                const ProxyKind proxyKind = randomKind(random);
-                ids.push_back(plain->insert(boxes.back(), proxyKind).value());
-                ASSERT_EQ(broadphase->insert(boxes.back(), proxyKind).value(), ids.back());
-            }
-            for (int i = 0; i < 300; ++i) {
-                const std::size_t one = below(random, static_cast<std::uint32_t>(ids.size()));
-                ASSERT_TRUE(plain->remove(ids[one]).ok() && broadphase->remove(ids[one]).ok());
-                ids[one] = ids.back();
-                ids.pop_back();
-                const ProxyId moved = ids[below(random, static_cast<std::uint32_t>(ids.size()))];
-                const Aabb box = randomBox(Family::scattered, random);
-                ASSERT_TRUE(plain->move(moved, box).ok() && broadphase->move(moved, box).ok());
-            }
-            const std::span<const Aabb> some = std::span(boxes).last(20);
-            const std::uint64_t expected = askEverything(*plain, {some.begin(), some.end()});
-            const std::uint64_t testsBefore = broadphase->counters().boxTests;
-            std::vector<std::uint64_t> seen(4);
-            std::vector<std::thread> threads;
-            for (std::uint64_t& mine : seen) {
-                threads.emplace_back([&] { mine = askEverything(*broadphase, {some.begin(), some.end()}); });
-            }
-            for (std::thread& thread : threads) { thread.join(); }
-            for (const std::uint64_t each : seen) { ASSERT_EQ(each, expected) << nameOf(kind) << " round " << round; }
-            const std::uint64_t tests = broadphase->counters().boxTests - testsBefore;
-            ASSERT_EQ(askEverything(*broadphase, {some.begin(), some.end()}), expected);
-            EXPECT_EQ(4 * (broadphase->counters().boxTests - testsBefore), 5 * tests) << "all search the same";
-            ASSERT_EQ(askEverything(*broadphase->clone(), {some.begin(), some.end()}), expected);
-            if (round % 3 != 2) { continue; }
-            plain->pairs(expectedPairs);
-            broadphase->pairs(pairs);
-            ASSERT_EQ(pairs, expectedPairs) << nameOf(kind) << " round " << round;
-        }
-    }
-}
-
 }  // namespace
 }  // namespace swept::test

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "real.h"
+#include "../../shapes/real.h"
 #ifdef __STDCPP_THREADS__
 #include <mutex>
 #endif
