@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "../flight/chain_crossing.h"
+#include "../solve/lent_energy.h"
 #include "../solve/solve_outcome.h"
 #include "../state/profile.h"
 #include "island_advance.h"
@@ -84,6 +85,7 @@ void placeTried(WorldState& world) {
     fast.triedBodies.resize(next.body);
     fast.triedHinges.resize(next.hinge);
     fast.triedJoints.resize(next.joint);
+    fast.triedLoans.resize(fast.isTried.size());
 }
 
 /// The members of an island before they are solved. Their contacts are not in its hands alone.
@@ -94,6 +96,7 @@ void remember(WorldState& world, std::size_t island) {
         fast.triedBodies[place.body++] = outcomeOf(world, slot);
         world.bodies[slot].role = BodyRole::solved;
     }
+    if (const LentEnergy* const lent = lentOf(world, fast.joints.of(island))) { fast.triedLoans[island] = *lent; }
     for (const std::uint32_t joint : fast.joints.of(island)) {
         if (isHinge(world, joint)) {
             fast.triedHinges[place.hinge++] = {world.joints[joint].hinge, world.joints[joint].restLoad};
@@ -123,6 +126,7 @@ void judge(WorldState& world, std::size_t island, double dt, FlightScratch& scra
         if (meets) { restore(world, slot, fast.triedBodies[place.body++]); }
     }
     if (!meets) { return; }
+    if (LentEnergy* const lent = lentOf(world, fast.joints.of(island))) { *lent = fast.triedLoans[island]; }
     for (const std::uint32_t joint : fast.joints.of(island)) {
         if (!isHinge(world, joint)) {
             world.joints[joint] = fast.triedJoints[place.joint++];

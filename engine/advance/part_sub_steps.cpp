@@ -37,6 +37,12 @@ bool isCrank(const Body& body, Vec2 localAnchor) {
            lengthSquared(localAnchor - body.localCenter) > square(kAxleRatio * body.radius);
 }
 
+/// Whether what it holds goes round as A turns, wherever that is held.
+bool leadsByAxis(const Joint& joint) {
+    const JointType type = joint.type();
+    return type == JointType::prismatic || type == JointType::wheel || type == JointType::motor;
+}
+
 /// Whether it is a body on its own whose pull is for short sub-steps.
 bool isOneHard(const WorldState& world, const AdvancingIsland& island, double dt) {
     const std::vector<std::uint32_t>& members = island.members;
@@ -59,7 +65,7 @@ double fastestSpin(const WorldState& world, std::span<const std::uint32_t> membe
     }
     for (const std::uint32_t slot : joints) {
         const Joint& joint = world.joints[slot];
-        if (isCrank(world.bodies[joint.bodyA], joint.localAnchorA)) { count(joint.bodyA); }
+        if (leadsByAxis(joint) || isCrank(world.bodies[joint.bodyA], joint.localAnchorA)) { count(joint.bodyA); }
         if (isCrank(world.bodies[joint.bodyB], joint.localAnchorB)) { count(joint.bodyB); }
         fastest = std::max(fastest, rodTurnOf(world, joint));
     }

@@ -98,11 +98,11 @@ bool isWeb(const IslandLoad& load) {
 /// carries, and for the heaviest body as well.
 double sagOf(double layers, double heaviest, double give) { return layers * ((layers + 1) / 2 + heaviest) * give; }
 
-/// Whether it is made of ragdolls by their joints: each has limits, a motor or a spring, and nothing holds them. They
-/// are larger than cars, whose wheels on motors are held exactly, and shorter than ropes.
+/// Whether all joints are those of ragdolls: hinges with limits, in chains that nothing holds, longer than those of
+/// cars and shorter than ropes.
 bool isOfDolls(const IslandLoad& load) {
     const bool isInSize = load.longestChain + 1 >= kFewestInRagdoll && load.longestChain < kLongChain;
-    return load.plainJoints == 0 && isInSize && !load.isAnchored;
+    return load.limitedHinges == load.joints && isInSize && !load.isAnchored;
 }
 
 /// Whether islands that are iterated are many bodies on the move, none of which carries much: as many layers as the
@@ -147,9 +147,12 @@ DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps
     const Real heaviest = load.holdsAngles ? load.heaviestJointed : heaviestOf(load);
     // A beam that welds hold to the ground bends under what lies on it by what each weld gives way, times its length.
     const bool isBeam = load.longestBeam >= kLongBeam;
-    // What hangs at an end, and touches nothing, passes nothing on: however light, it is in nobody's way.
-    const Real mostRatio = isOfDolls(load) ? kHeavyLimbRatio : kHeavyRatio;
-    const bool isHopeless = isBeam || load.longestChain >= kLongChain || heaviest >= mostRatio * load.lightestLink;
+    // What hangs at an end, and touches nothing, passes nothing on: however light, it is in nobody's way. And a doll
+    // carries no more than itself, unless something lies on it.
+    const Real loosely = isOfDolls(load)
+                             ? std::max(load.heaviestJointed / kHeavyLimbRatio, load.heaviestLoose / kHeavyRatio)
+                             : heaviest / kHeavyRatio;
+    const bool isHopeless = isBeam || load.longestChain >= kLongChain || loosely >= load.lightestCarrier;
     // Two that hold the same bodies work against each other, the more so the nearer they come to a toggle.
     const bool isDoubled = load.joints >= load.bodies && load.plainJoints == load.joints;
     // What joints tie to the ground contacts with the ground may contradict, and then both win by turns.

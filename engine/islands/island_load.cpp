@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "../bodies/body_form.h"
 #include "../crew/beside.h"
 #include "../state/world_state.h"
 #include "contradictions.h"
@@ -15,6 +16,7 @@ constexpr Real kMovingRatioOfFall = Real(1) / 16;
 
 BodyLoad loadOf(const Body& body, const BodyMotion& motion, DVec2 up, Real gravity) {
     const Real speedSquared = lengthSquared(motion.velocity);
+    const bool isLink = body.holdingJoints > 1 || (body.holdingJoints == 1 && body.hasContact);
     const bool isStill = speedSquared == 0 && motion.angularVelocity == 0;
     return {.height = dot(up, motion.center),
             .mass = static_cast<Real>(body.mass),
@@ -25,7 +27,8 @@ BodyLoad loadOf(const Body& body, const BodyMotion& motion, DVec2 up, Real gravi
             // The effort is still that of the last step.
             .staysPut = isStill || body.effort.direct == DirectScope::all,
             .isJointed = body.holdingJoints > 0,
-            .isLink = body.holdingJoints > 1 || (body.holdingJoints == 1 && body.hasContact)};
+            .isLink = isLink,
+            .mayCarry = isLink || (body.holdingJoints > 0 && isRound(body))};
 }
 
 /// As if its bodies were added one by one: all of these are the same in any order. @pre `more` has bodies
@@ -43,6 +46,7 @@ void addBodiesOf(IslandLoad& load, const IslandLoad& more) {
     load.heaviestJointed = std::max(load.heaviestJointed, more.heaviestJointed);
     load.lightest = std::min(load.lightest, more.lightest);
     load.lightestLink = std::min(load.lightestLink, more.lightestLink);
+    load.lightestCarrier = std::min(load.lightestCarrier, more.lightestCarrier);
     load.thinnest = std::min(load.thinnest, more.thinnest);
     load.lowest = std::min(load.lowest, more.lowest);
     load.highest = std::max(load.highest, more.highest);
@@ -52,6 +56,7 @@ void addBody(IslandLoad& load, const BodyLoad& body) {
     addBodiesOf(load, {.bodies = 1,
                        .lightest = body.mass,
                        .lightestLink = body.isLink ? body.mass : std::numeric_limits<Real>::max(),
+                       .lightestCarrier = body.mayCarry ? body.mass : std::numeric_limits<Real>::max(),
                        .heaviestJointed = body.isJointed ? body.mass : 0,
                        .thinnest = body.extent,
                        .lowest = body.height,
@@ -151,6 +156,7 @@ void addJoints(WorldState& world) {
         load.hasWideLoop = load.hasWideLoop || (chain.hasLoop() && !chain.isThin);
         load.isAnchored = load.isAnchored || chain.anchors > 0;
         load.joints += chain.joints;
+        load.limitedHinges += chain.limitedHinges;
         load.plainJoints += chain.plainJoints;
         load.powered += chain.poweredJoints;
         load.holdsAngles = load.holdsAngles || chain.angleJoints > 0;

@@ -123,6 +123,7 @@ void sumUpJoints(WorldState& world) {
         chain.plainJoints += tie.isPlain ? 1 : 0;
         chain.poweredJoints += tie.isPowered ? 1 : 0;
         chain.angleJoints += tie.holdsAngle ? 1 : 0;
+        chain.limitedHinges += tie.isHinge && tie.hingeParts.hasLimits ? 1 : 0;
         chain.isPassive = chain.isPassive && tie.isPassive;
         chain.mayLend = chain.mayLend && tie.isPassive && !tie.isPowered && !tie.isSprung;
         bool areAllDynamic = true;

@@ -32,11 +32,14 @@ bool isYank(const WorldState& world, const Joint& joint, Real moved) {
     return moved > kFastRatio * smallestOf(world, joint, &Body::extent);
 }
 
-/// Metres that a joint has to close, of angles those of the farther rim.
+/// Metres that a joint has to close, of angles those at the rim of the larger body.
 Real gapOfPut(const WorldState& world, const Joint& joint) {
     const JointErrors errors = errorsOf(world, joint);
     const JointErrors limits = limitErrorsOf(world, joint);
-    const Real radius = std::max(world.bodies[joint.bodyA].radius, world.bodies[joint.bodyB].radius);
+    const auto radiusOf = [&world](std::uint32_t slot) {
+        return world.bodies[slot].isDynamic() ? world.bodies[slot].radius : Real(0);
+    };
+    const Real radius = std::max(radiusOf(joint.bodyA), radiusOf(joint.bodyB));
     return std::max(errors.length, limits.length) + radius * std::max(errors.angle, limits.angle);
 }
 
@@ -94,15 +97,36 @@ void tell(WorldState& world, const DrivenJoint& driven, const SolveDesk& desk) {
     }
 }
 
-DrivenJoint& noted(WorldState& world, JointId joint) {
+DrivenJoint& entryOf(WorldState& world, JointId joint) {
     Joint& held = *world.joints.find(joint);
     if (held.driven == kNotDriven) {
         held.driven = static_cast<std::uint32_t>(world.drivenJoints.size());
         world.drivenJoints.push_back({.joint = joint});
     }
-    DrivenJoint& driven = world.drivenJoints[held.driven];
+    return world.drivenJoints[held.driven];
+}
+
+DrivenJoint& noted(WorldState& world, JointId joint) {
+    DrivenJoint& driven = entryOf(world, joint);
     driven.stepsLeft = kDrivenSteps;
     return driven;
+}
+
+/// What was put without a gap is no move: without another one the joint is as if it had not been noted. What is off
+/// waits until it is on.
+void findYank(DrivenJoint& driven, const WorldState& world, Joint& joint) {
+    if (!joint.holds()) {
+        driven.stepsLeft = std::max(driven.stepsLeft, 2);
+        return;
+    }
+    driven.isPut = false;
+    if (isYank(world, joint, gapOfPut(world, joint))) {
+        driven.isYank = true;
+        driven.stepsLeft = kDrivenSteps;
+    } else if (driven.stepsLeft <= 1) {
+        driven.stepsLeft = 1;  // it ends with this step
+        joint.driven = kNotDriven;
+    }
 }
 
 }  // namespace
@@ -124,7 +148,7 @@ void noteSpringDriven(WorldState& world, JointId joint, Real farthest) {
     driven.springJump = std::max(driven.springJump, farthest);
 }
 
-void notePut(WorldState& world, JointId joint) { noted(world, joint).isPut = true; }
+void notePut(WorldState& world, JointId joint) { entryOf(world, joint).isPut = true; }
 
 void beginDriven(WorldState& world, double dt) {
     const auto step = static_cast<Real>(dt);
@@ -136,10 +160,7 @@ void beginDriven(WorldState& world, double dt) {
         if (joint == nullptr) { continue; }
         if (MouseConstraint* const mouse = mouseOf(*joint)) { mouse->pace = (1 / step) * mouse->toGo; }
         findMotion(driven, world, *joint, step);
-        if (std::exchange(driven.isPut, false) && isYank(world, *joint, gapOfPut(world, *joint))) {
-            driven.isYank = true;
-        }
-        if (driven.motion.glide.any()) { world.jointTies[driven.joint.index].hingeParts.isGliding = true; }
+        if (driven.isPut) { findYank(driven, world, *joint); }
     }
 }
 

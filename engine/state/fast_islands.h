@@ -46,6 +46,7 @@ struct FastIslands {
     std::vector<TriedContact> triedContacts;  ///< of all of them, before
     std::vector<BodyOutcome> triedBodies;     ///< their members
     std::vector<TriedHinge> triedHinges;      ///< and their joints
+    std::vector<LentEnergy> triedLoans;       ///< by island: that of its chain
     std::vector<Joint> triedJoints;           ///< those that are no hinges
     std::size_t eventsBefore = 0;
     IslandItems bodies;                                             ///< slots, in order of waking

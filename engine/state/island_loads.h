@@ -12,8 +12,10 @@ struct IslandLoad {
     std::uint32_t bodies = 0;
     std::uint32_t contacts = 0;
     std::uint32_t joints = 0;
-    Real lightest = 0;               ///< kg
-    Real lightestLink = 0;           ///< kg, of `BodyLoad::isLink`; without any the largest number
+    Real lightest = 0;         ///< kg
+    Real lightestLink = 0;     ///< kg, of `BodyLoad::isLink`; without any the largest number
+    Real lightestCarrier = 0;  ///< likewise, of `BodyLoad::mayCarry`
+    std::uint32_t limitedHinges = 0;
     std::uint32_t plainJoints = 0;   ///< rigid, without springs, limits and motors
     bool isAnchored = false;         ///< a joint ties it to what is not dynamic
     bool hasLoop = false;            ///< joints between some of its bodies, and the ground, close one
@@ -50,6 +52,8 @@ struct BodyLoad {
     bool staysPut = false;
     bool isJointed = false;
     bool isLink = false;  ///< two joints hold it, or a joint and what it touches: others may pull at each other by it
+    /// A link, or a wheel: that touches the ground again and again.
+    bool mayCarry = false;
 };
 
 /// What some bodies add, one after the other among `WorldState::tied`: mostly all of them are in one island, and are

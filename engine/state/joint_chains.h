@@ -22,9 +22,10 @@ struct JointChain {
     std::uint32_t poweredJoints = 0;
     std::uint32_t anchors = 0;      ///< joints that tie it to what is not dynamic
     std::uint32_t angleJoints = 0;  ///< `JointTie::holdsAngle`
-    bool isPassive = true;          ///< `JointTie::isPassive` of all
-    bool isAdrift = true;           ///< no joint ties it to what is not dynamic, nor pushes from outside
-    bool isThin = false;            ///< a large loop, whose factor fills up little (thin_loops.h)
+    std::uint32_t limitedHinges = 0;
+    bool isPassive = true;  ///< `JointTie::isPassive` of all
+    bool isAdrift = true;   ///< no joint ties it to what is not dynamic, nor pushes from outside
+    bool isThin = false;    ///< a large loop, whose factor fills up little (thin_loops.h)
     // What goes on from step to step (lent_energy.h).
     bool mayLend = false;        ///< by joints without motors, springs, and targets, and held to static things if any
     bool lends = false;          ///< scratch of a solve
