@@ -115,7 +115,7 @@ DrivenJoint& noted(WorldState& world, JointId joint) {
 /// What was put without a gap is no move: without another one the joint is as if it had not been noted. What is off
 /// waits until it is on.
 void findYank(DrivenJoint& driven, const WorldState& world, Joint& joint) {
-    if (!joint.holds()) {
+    if (joint.isOff) {
         driven.stepsLeft = std::max(driven.stepsLeft, 2);
         return;
     }
@@ -161,6 +161,7 @@ void beginDriven(WorldState& world, double dt) {
         if (MouseConstraint* const mouse = mouseOf(*joint)) { mouse->pace = (1 / step) * mouse->toGo; }
         findMotion(driven, world, *joint, step);
         if (driven.isPut) { findYank(driven, world, *joint); }
+        if (driven.motion.glide.any()) { world.jointTies[driven.joint.index].hingeParts.isGliding = true; }
     }
 }
 

@@ -7,6 +7,7 @@
 #include "clash_work.h"
 #include "contact.h"
 #include "joint.h"
+#include "lent_energy_state.h"
 #include "moving_ground.h"
 #include "solve_outcome.h"
 
