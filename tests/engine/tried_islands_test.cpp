@@ -52,8 +52,8 @@ std::vector<BodyId> addTruck(World& world, DVec2 at, double speed, double spin) 
     return bodies;
 }
 
-constexpr double kSpeed = 20;
-constexpr double kWheelSpin = -kSpeed / 0.3;
+constexpr double kTruckSpeed = 20;
+constexpr double kTruckWheelSpin = -kTruckSpeed / 0.3;
 
 /// One strikes a wall, half way through a step, and one does not: neither shows in how they move, to the bit.
 TEST(TriedIslands, TrucksMoveAsIfAlone) {
@@ -68,8 +68,8 @@ TEST(TriedIslands, TrucksMoveAsIfAlone) {
         std::array<std::vector<BodyId>, 2> alone;
         for (std::size_t i = 0; i < both.size(); ++i) {
             const DVec2 at{-30 * static_cast<double>(i), 0};
-            both[i] = addTruck(worlds[2], at, kSpeed, kWheelSpin);
-            alone[i] = addTruck(worlds[i], at, kSpeed, kWheelSpin);
+            both[i] = addTruck(worlds[2], at, kTruckSpeed, kTruckWheelSpin);
+            alone[i] = addTruck(worlds[i], at, kTruckSpeed, kTruckWheelSpin);
         }
         for (int step = 0; step < 60; ++step) {
             for (World& world : worlds) { must(world.step(kStep)); }
@@ -89,7 +89,7 @@ TEST(TriedIslands, TrucksMoveAsIfAlone) {
 TEST(TriedIslands, TrucksThatDriveFastAreSolvedOnce) {
     World world = makeWorld(awakeSettings(Profile::fast));
     addStatic(world, box(1000, 1), material(0.9), {0, -1});
-    for (int i = 0; i < 8; ++i) { addTruck(world, {-100.0 + 20 * i, 0}, 2 * kSpeed, 2 * kWheelSpin); }
+    for (int i = 0; i < 8; ++i) { addTruck(world, {-100.0 + 20 * i, 0}, 2 * kTruckSpeed, 2 * kTruckWheelSpin); }
     for (int step = 0; step < 60; ++step) {
         must(world.step(kStep));
         if (step >= 10) {
