@@ -149,10 +149,10 @@ DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps
     const bool isBeam = load.longestBeam >= kLongBeam;
     // What hangs at an end, and touches nothing, passes nothing on: however light, it is in nobody's way. And a doll
     // carries no more than itself, unless something lies on it.
-    const Real loosely = isOfDolls(load)
-                             ? std::max(load.heaviestJointed / kHeavyLimbRatio, load.heaviestLoose / kHeavyRatio)
-                             : heaviest / kHeavyRatio;
-    const bool isHopeless = isBeam || load.longestChain >= kLongChain || loosely >= load.lightestCarrier;
+    const Real leastCarrier = isOfDolls(load)
+                                  ? std::max(load.heaviestJointed / kHeavyLimbRatio, load.heaviestLoose / kHeavyRatio)
+                                  : heaviest / kHeavyRatio;
+    const bool isHopeless = isBeam || load.longestChain >= kLongChain || leastCarrier >= load.lightestCarrier;
     // Two that hold the same bodies work against each other, the more so the nearer they come to a toggle.
     const bool isDoubled = load.joints >= load.bodies && load.plainJoints == load.joints;
     // What joints tie to the ground contacts with the ground may contradict, and then both win by turns.
