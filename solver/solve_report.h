@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 #include "../shapes/real.h"
@@ -48,6 +49,18 @@ struct SolveReport {
     int mostSubSteps = 0;
     std::uint64_t bodySubSteps = 0;
     DirectReport direct{};
+
+    /// What was left of a batch, and solved with so many sub-steps. @param bodies  in it
+    void add(const SolveReport& rest, int subSteps, std::size_t bodies) {
+        isExact = false;
+        colours = std::max(colours, rest.colours);
+        speedsLimited += rest.speedsLimited;
+        mostSubSteps = std::max(mostSubSteps, subSteps);
+        bodySubSteps += bodies * static_cast<std::uint64_t>(subSteps);
+        direct.factorisations += rest.direct.factorisations;
+        direct.rounds += rest.direct.rounds;
+        direct.givenUp += rest.direct.givenUp;
+    }
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

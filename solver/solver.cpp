@@ -1,5 +1,7 @@
 #include "solver.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <type_traits>
@@ -361,13 +363,13 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     return report;
 }
 
-SolveReport Solver::solveIslands(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops) {
-    SolveReport report{.isDirect = true, .isExact = true};
-    const Real h = settings.dt / static_cast<Real>(settings.subSteps);
-    islands_.solve(batch, h, settings.subSteps, loops, report);
-    if (settings.maxSpeed < std::numeric_limits<Real>::infinity()) {
-        report.speedsLimited += limitSpeeds(batch, settings.maxSpeed, 0, batch.states.size());
-    }
+/// Islands whose drives do not go on smoothly are left to sub-steps.
+SolveReport Solver::solveDriven(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops) {
+    SolveReport report = solveIslands(batch, settings, loops);
+    if (!islands_.anyUndone()) { return report; }
+    SolverBatch& undone = undone_.take(batch, islands_);
+    report.add(solveWith<true>(undone, settings, false, loops), settings.subSteps, undone.states.size() - 1);
+    undone_.giveBack(batch);
     return report;
 }
 
@@ -380,6 +382,10 @@ SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings, Ta
     const bool isColoured = std::exchange(isColoured_, false);
     isMet_ = false;
     SolverSettings used = settings;
+    if (settings.direct == DirectScope::driven) {
+        used.direct = DirectScope::freeJoints;
+        if (batch.contacts.empty()) { return solveDriven(batch, used, loops); }
+    }
     if (settings.direct == DirectScope::islands) {
         if (batch.contacts.empty()) { return solveIslands(batch, settings, loops); }
         // Parts of a step may meet contacts that the step did not begin with.

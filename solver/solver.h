@@ -16,6 +16,7 @@
 #include "joint_blocks/weld_sort.h"
 #include "joint_blocks/wheel_sort.h"
 #include "joint_islands/joint_islands.h"
+#include "joint_islands/undone_islands.h"
 #include "solve_report.h"
 #include "solver_batch.h"
 #include "wide/wide_motion.h"
@@ -99,6 +100,7 @@ private:
     template <bool kJoints>
     SolveReport solveWith(SolverBatch& batch, const SolverSettings& settings, bool isColoured, TaskSystem& loops);
     SolveReport solveIslands(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops);
+    SolveReport solveDriven(SolverBatch& batch, const SolverSettings& settings, TaskSystem& loops);
     /// Of joints that stand in blocks; no other kind has one.
     HingeBlocks& blocksOf(const std::vector<RevoluteConstraint>&) { return hinges_; }
     JointBlocks<RodSort>& blocksOf(const std::vector<DistanceConstraint>&) { return rods_; }
@@ -155,6 +157,7 @@ private:
     JointBlocks<WeldSort> welds_;
     DirectSolver direct_;
     JointIslands islands_;
+    UndoneIslands undone_;
     std::vector<Run> runs_;
     RawVector<std::array<Real, 4>> free_;  ///< by body slot: speeds in this sub-step without constraints
     bool areJointed_ = false;              ///< the present solve: contacts are iterated by `DirectSolver`

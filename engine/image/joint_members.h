@@ -20,11 +20,11 @@ constexpr auto allMembers(T& parts) {
     return listed(flagsIn(parts));
 }
 
-constexpr Flags<12> flagsOf(const JointTie& t) {
-    return {t.holds,     t.isPair,     t.mayBreak, t.isHinge,          t.isPlain,     t.isPassive,
-            t.isPowered, t.holdsAngle, t.isSprung, t.drivesAngleAlone, t.hasRestLoad, t.pushesInside};
+constexpr Flags<13> flagsOf(const JointTie& t) {
+    return {t.holds,      t.isPair,   t.mayBreak,         t.isHinge,     t.isPlain,      t.isPassive, t.isPowered,
+            t.holdsAngle, t.isSprung, t.drivesAngleAlone, t.hasRestLoad, t.pushesInside, t.isDriven};
 }
-constexpr void setFlags(JointTie& t, const Flags<12>& flags) {
+constexpr void setFlags(JointTie& t, const Flags<13>& flags) {
     t.holds = flags[0];
     t.isPair = flags[1];
     t.mayBreak = flags[2];
@@ -37,10 +37,11 @@ constexpr void setFlags(JointTie& t, const Flags<12>& flags) {
     t.drivesAngleAlone = flags[9];
     t.hasRestLoad = flags[10];
     t.pushesInside = flags[11];
+    t.isDriven = flags[12];
 }
 template <MaybeConst<JointTie> T>
 constexpr auto allMembers(T& tie) {
-    static_assert(areAllListed<JointTie>(3, 12));
+    static_assert(areAllListed<JointTie>(3, 13));
     return listed(tie.bodyA, tie.bodyB, flagsIn(tie), tie.hingeParts);
 }
 

@@ -139,6 +139,8 @@ DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps
     const bool isCoarse = subSteps < kFewestSubStepsForJoints;
     const bool maySolveIt = !load.hasLoop || load.bodies <= kMostLoopBodies || !load.hasWideLoop;
     if (!isTouching && load.plainJoints == load.joints && maySolveIt) { return DirectScope::islands; }
+    const bool areFollowed = load.plainJoints + load.drivenJoints == load.joints;
+    if (!isTouching && areFollowed && !load.hasLoop) { return DirectScope::driven; }
     // A loop may be taut: what closes its gaps is then near infinite (a straight bridge between two posts).
     if (load.hasLoop || isCoarse) { return DirectScope::none; }
     // A heavy drum that light things tumble in hangs on its joint no worse than without them. And what lies loose, or
@@ -207,7 +209,9 @@ Effort effortFor(const IslandLoad& load, const StepScale& step, double pull) {
     if (load.joints > 0) {
         const DirectScope scope = scopeForJoints(load, isTouching, step.subSteps);
         // To solve joints all at once keeps energy, but not where drives take it.
-        if (jostles && (scope == DirectScope::none || scope == DirectScope::freeJoints)) { return kCrowd; }
+        const bool mayBeCrowd =
+            scope == DirectScope::none || scope == DirectScope::driven || scope == DirectScope::freeJoints;
+        if (jostles && mayBeCrowd) { return kCrowd; }
         // Islands see to that themselves.
         const bool mayWhip = scope != DirectScope::none && scope != DirectScope::islands && !rests;
         return {.doublings = mayWhip ? doublingsForWhips(load, step.subSteps) : std::int8_t{0},
@@ -253,8 +257,9 @@ void assignByLoad(WorldState& world, double dt) {
 void listLoosened(WorldState& world) {
     for (const JointChain& chain : world.jointChains.list) {
         const Body& body = world.bodies[chain.lowest];
+        const DirectScope scope = body.effort.direct;
         const bool wasExact =
-            body.effort.direct == DirectScope::islands || body.effort.direct == DirectScope::freeJoints;
+            scope == DirectScope::islands || scope == DirectScope::driven || scope == DirectScope::freeJoints;
         if (body.role != BodyRole::solved || !wasExact) { continue; }
         const Effort& effort = world.islandLoads[world.islands.find(chain.lowest)].effort;
         if (effort.direct == DirectScope::none) { world.loosenedChains.push_back(chain.lowest); }

@@ -29,6 +29,12 @@ private:
 };
 bool isPlain(const Joint& joint) { return std::visit(PlainJoints{}, joint.parts); }
 
+bool isDriven(const Joint& joint) {
+    const JointType type = joint.type();
+    const bool mayBe = type == JointType::revolute || type == JointType::prismatic || type == JointType::wheel;
+    return mayBe && !isPlain(joint);
+}
+
 /// Whether a hinge, slider, wheel or rod has a motor or a spring: what it holds keeps no energy.
 struct PoweredJoints {
     template <class Part>
@@ -106,6 +112,7 @@ JointTie tieOf(const Joint& joint) {
             .mayBreak = joint.base.breakForce || joint.base.breakTorque,
             .isHinge = hinge != nullptr,
             .isPlain = isPlain(joint),
+            .isDriven = isDriven(joint),
             .isPassive = isPassive(joint),
             .isPowered = isPowered(joint),
             .holdsAngle = holdsAngle(joint),

@@ -11,6 +11,7 @@ namespace swept::inline SWEPT_PRECISION {
 enum class DirectScope : std::uint8_t {
     none,
     islands,     ///< islands of rigid joints and nothing else, each on its own (`JointIslands`)
+    driven,      ///< likewise, and some have springs, limits or motors
     freeJoints,  ///< what joints hold rigidly, as long as there are no contacts
     joints,      ///< what joints hold rigidly
     jointed,     ///< that, always: contacts are iterated on what answers as the joints hold it together

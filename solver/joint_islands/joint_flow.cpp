@@ -19,9 +19,6 @@ double dotOf(const Coordinates& a, const Coordinates& b) { return a.x * b.x + a.
 
 /// Acceleration of a centre towards the end of an arm that turns so.
 DVec2 drawIn(double spin, DVec2 arm) { return spin * spin * arm; }
-/// A turn about the point at this arm.
-Coordinates turnAbout(DVec2 arm) { return {arm.y, -arm.x, 1}; }
-
 Coordinates times(const Inertia& m, const Coordinates& v) {
     return {m.xx * v.x + m.yx * v.y + m.tx * v.turn, m.yx * v.x + m.yy * v.y + m.ty * v.turn,
             m.tx * v.x + m.ty * v.y + m.tt * v.turn};
@@ -41,10 +38,6 @@ void subtractOuter(Inertia& m, const Coordinates& a, const Coordinates& b) {
 }
 /// What is led by something from which it is a span away moves so.
 Coordinates ledBy(const Coordinates& v, DVec2 span) { return {v.x - v.turn * span.y, v.y + v.turn * span.x, v.turn}; }
-/// A force on it acts so there.
-Coordinates moved(const Coordinates& force, DVec2 span) {
-    return {force.x, force.y, force.turn + (span.x * force.y - span.y * force.x)};
-}
 /// Likewise an inertia, added to that of what leads.
 void addMoved(Inertia& to, const Inertia& m, DVec2 span) {
     to.xx += m.xx;
@@ -81,10 +74,10 @@ bool JointFlow::mayTake(const IslandBody& body) {
     return body.inverseMass > 0 && body.inverseInertia > 0 && std::min(body.decay, body.angularDecay) >= kLeastDecay;
 }
 
-JointFlow::Node& JointFlow::addNode(const Parts& parts, std::uint32_t i) {
+JointFlow::Node& JointFlow::addNode(const Island& island, std::uint32_t i) {
     nodeOf_[i] = static_cast<std::uint32_t>(nodes_.size());
     Node& node = nodes_.emplace_back();
-    const IslandBody& body = parts.bodies[i];
+    const IslandBody& body = island.bodies[i];
     node.body = i;
     node.startVelocity = {body.velocity.x, body.velocity.y, body.spin};
     return node;
@@ -102,8 +95,8 @@ void JointFlow::setDrive(Node& node, const IslandBody& body, double h) {
 }
 
 /// @pre what it hangs on has its node
-void JointFlow::hang(Node& node, const Parts& parts) {
-    const IslandHold& hold = parts.holds[node.hold];
+void JointFlow::hang(Node& node, const Island& island) {
+    const IslandHold& hold = island.holds[node.hold];
     node.kind = hold.kind;
     node.isB = hold.b == node.body;
     const std::uint32_t other = node.isB ? hold.a : hold.b;
@@ -114,36 +107,41 @@ void JointFlow::hang(Node& node, const Parts& parts) {
     node.axis = hold.axis;
     node.rest = hold.rest;
     node.size = hold.size;
+    // A slider may stand where it has no size.
+    node.reach = std::max(node.size, std::sqrt(node.inertia / node.mass));
     const bool mayTurn = node.angleHold == kNone;
-    if (!mayTurn) { node.restAngle = node.isB ? parts.holds[node.angleHold].rest : -parts.holds[node.angleHold].rest; }
-    const IslandBody& body = parts.bodies[node.body];
-    const IslandBody& bodyOfParent = parts.bodies[other];
+    if (!mayTurn) {
+        node.restAngle = node.isB ? island.holds[node.angleHold].rest : -island.holds[node.angleHold].rest;
+    }
+    const IslandBody& body = island.bodies[node.body];
+    const IslandBody& bodyOfParent = island.bodies[other];
     node.ease = body.inverseMass * easeOf(body, node.anchor);
     node.easeOfParent = bodyOfParent.inverseMass * easeOf(bodyOfParent, node.anchorOfParent);
     Node& parent = nodes_[node.parent];
     const bool isSide = node.kind == IslandHold::Kind::side;
     node.isLever = norm(node.anchor) > 0 || (isSide && !node.isB);
     parent.isLever = parent.isLever || norm(node.anchorOfParent) > 0 || (isSide && node.isB);
-    node.freedoms = (node.kind == IslandHold::Kind::point ? 0 : 1) + (mayTurn ? 1 : 0);
+    addDrives(node, island);
+    const bool mayMoveOff = node.kind != IslandHold::Kind::point && !node.holdsSlide;
+    node.freedoms = (mayMoveOff ? 1 : 0) + (mayTurn && !node.holdsTurn ? 1 : 0);
 }
 
-void JointFlow::start(std::span<const IslandBody> bodies, std::span<const IslandHold> holds,
-                      std::span<const IslandBranch> branches, double h) {
-    const Parts parts{bodies, holds};
+void JointFlow::start(const Island& island, double h) {
     evaluations_ = pieces_ = 0;
     begun_ = 0;
     nodes_.clear();
-    nodeOf_.assign(bodies.size(), kNone);
-    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-        if (bodies[i].inverseMass > 0) { continue; }
-        Node& node = addNode(parts, i);
+    drives_.clear();
+    nodeOf_.assign(island.bodies.size(), kNone);
+    for (std::uint32_t i = 0; i < island.bodies.size(); ++i) {
+        if (island.bodies[i].inverseMass > 0) { continue; }
+        Node& node = addNode(island, i);
         node.isFixed = true;
         node.isStill = node.startVelocity == Coordinates{};
     }
     fixed_ = nodes_.size();
-    for (const IslandBranch& branch : branches) {
-        Node& node = addNode(parts, branch.body);
-        setDrive(node, bodies[branch.body], h);
+    for (const IslandBranch& branch : island.branches) {
+        Node& node = addNode(island, branch.body);
+        setDrive(node, island.bodies[branch.body], h);
         node.hold = branch.holds[0];
         node.angleHold = branch.holds[1];
         if (node.hold == kNone) {  // the first of what hangs on nothing
@@ -152,7 +150,7 @@ void JointFlow::start(std::span<const IslandBody> bodies, std::span<const Island
             node.free[1].along = {0, 1, 0};
             node.free[2].along = {0, 0, 1};
         } else {
-            hang(node, parts);
+            hang(node, island);
         }
     }
 }
@@ -185,7 +183,7 @@ void JointFlow::setPoint(Node& node, const Node& parent) {
     const DVec2 bias = drawIn(node.velocity.turn, arm) - drawIn(parent.velocity.turn, armOfParent);
     node.armOfJoint = arm;
     node.bias = {bias.x, bias.y, 0};
-    node.free[0].along = turnAbout(arm);
+    node.free[0].along = Coordinates::turnAbout(arm);
 }
 
 /// A body that is held at a distance may move across, and turn.
@@ -200,7 +198,7 @@ void JointFlow::setRod(Node& node, const Node& parent) {
     node.armOfJoint = arms.own;
     node.bias = {bias.x, bias.y, 0};
     node.free[0].along = {across.x, across.y, 0};
-    node.free[1].along = turnAbout(arms.own);
+    node.free[1].along = Coordinates::turnAbout(arms.own);
 }
 
 /// One that slides along an axis fixed in A, and may turn about B's anchor.
@@ -215,8 +213,9 @@ void JointFlow::setSide(Node& node, const Node& parent) {
     const DVec2 bias = drawIn(node.velocity.turn, node.armOfJoint) - drawIn(parent.velocity.turn, throughParent) +
                        2 * a.velocity.turn * sliding * leftOf(node.direction);
     node.bias = {bias.x, bias.y, 0};
-    node.free[0].along = {node.direction.x, node.direction.y, 0};
-    node.free[1].along = turnAbout(node.armOfJoint);
+    std::size_t way = 0;
+    if (!node.holdsSlide) { node.free[way++].along = {node.direction.x, node.direction.y, 0}; }
+    node.free[way].along = Coordinates::turnAbout(node.armOfJoint);
 }
 
 void JointFlow::placeJoints() {
@@ -262,9 +261,9 @@ void JointFlow::eliminate(Node& node) {
     const DVec2 span = spanOf(node, parent);
     addMoved(parent.carried, node.carried, span);
     for (std::size_t i = 0; i < node.freedoms; ++i) {
-        subtractOuter(parent.carried, moved(node.free[i].pushed, span), moved(node.free[i].ease, span));
+        subtractOuter(parent.carried, node.free[i].pushed.moved(span), node.free[i].ease.moved(span));
     }
-    parent.force += moved(force, span);
+    parent.force += force.moved(span);
 }
 
 /// What a body reaches whose parent's is known.
@@ -308,6 +307,7 @@ void JointFlow::loadDrives() {
 void JointFlow::accelerate(std::size_t stage) {
     placeJoints();
     loadDrives();
+    if (!drives_.empty()) { pullSprings(); }
     solve();
     for (std::size_t n = fixed_; n < nodes_.size(); ++n) { nodes_[n].accelerations[stage] = nodes_[n].reached; }
 }

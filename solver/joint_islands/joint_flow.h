@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../../shapes/dvec2.h"
+#include "island_drive.h"
 #include "joint_island_parts.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -23,6 +24,10 @@ namespace swept::inline SWEPT_PRECISION {
 /// The step is divided into pieces by how fast bodies turn and light links oscillate; one over which accelerations
 /// turn out not to be smooth is made anew, half as long. So it need not be symmetric in time to keep energy: a rope of
 /// twenty links that is let go level, and cracks, is off by 4e-7 of it after five seconds in float, by 2e-9 in double.
+///
+/// Springs are forces among the others, and so are motors that push as hard as they may; what a motor holds at its
+/// speed is one way less to move. That is smooth as long as no limit is reached, and no motor ends to push, or to hold:
+/// where one does, the step is another's to take.
 class JointFlow {
 public:
     /// Whether it can be taken through a step so: it moves and turns, and is damped by no more than pieces follow.
@@ -32,20 +37,28 @@ public:
         nodes_.reserve(bodies);
         nodeOf_.reserve(bodies);
         tensions_.reserve(bodies);
+        drives_.reserve(2 * bodies);
     }
+    /// What moves, and how.
+    struct Island {
+        std::span<const IslandBody> bodies;
+        std::span<const IslandHold> holds;
+        std::span<const IslandBranch> branches;
+        std::span<const IslandDrive> drives;
+    };
     /// @pre it may take the bodies that the island moves
-    /// @param h  of the sub-step that drives were made for
-    void start(std::span<const IslandBody> bodies, std::span<const IslandHold> holds,
-               std::span<const IslandBranch> branches, double h);
+    /// @param h  of the sub-step that the drives of bodies were made for
+    void start(const Island& island, double h);
     /// What light links under tension do, which oscillate.
     enum class Tremor : std::uint8_t {
         followed,
         unseen,  ///< all hangs still: it only has to die away
     };
     /// @param most  pieces that the time may be divided into
-    /// @return false where they do not do, or joints cannot be brought together
+    /// @return false where they do not do, joints cannot be brought together, or a drive is not what it was all the
+    /// time
     bool advance(double duration, double most, Tremor tremor);
-    void finish(std::span<IslandBody> bodies, std::span<IslandHold> holds) const;
+    void finish(std::span<IslandBody> bodies, std::span<IslandHold> holds, std::span<IslandDrive> drives) const;
 
     int evaluations() const { return evaluations_; }  ///< of the accelerations
     int pieces() const { return pieces_; }
@@ -71,6 +84,10 @@ public:
         friend constexpr Coordinates operator*(double s, const Coordinates& v) {
             return {s * v.x, s * v.y, s * v.turn};
         }
+        /// A turn about the point at this arm.
+        static constexpr Coordinates turnAbout(DVec2 arm) { return {arm.y, -arm.x, 1}; }
+        /// How a force on this acts on what leads it, from which it is a span away.
+        constexpr Coordinates moved(DVec2 span) const { return {x, y, turn + (span.x * y - span.y * x)}; }
     };
     /// Symmetric.
     struct Inertia {
@@ -100,10 +117,12 @@ private:
         std::uint32_t hold = kNone;
         std::uint32_t angleHold = kNone;
         IslandHold::Kind kind = IslandHold::Kind::point;
-        bool isB = false;      ///< of the joint
-        bool isFixed = false;  ///< or moved, and not by the island
-        bool isStill = false;  ///< fixed
-        bool isLever = false;  ///< its turn moves an anchor, or an axis
+        bool isB = false;         ///< of the joint
+        bool isFixed = false;     ///< or moved, and not by the island
+        bool isStill = false;     ///< fixed
+        bool isLever = false;     ///< its turn moves an anchor, or an axis
+        bool holdsTurn = false;   ///< a motor does
+        bool holdsSlide = false;  ///< likewise
         std::uint32_t freedoms = 0;
         double mass = 0;
         double inertia = 0;
@@ -117,7 +136,8 @@ private:
         double rest = 0;
         double restAngle = 0;
         double size = 0;
-        double ease = 0;  ///< with which forces of the joint turn it, rad/(kg·m)
+        double reach = 0;  ///< by which what swings on a rod, or slides, is taken for a turn, metres
+        double ease = 0;   ///< with which forces of the joint turn it, rad/(kg·m)
         double easeOfParent = 0;
 
         Coordinates startPlace{};  ///< x, y, angle, since the start of the step
@@ -154,16 +174,25 @@ private:
         DVec2 between;  ///< from the parent's anchor to the own one
     };
 
-    /// What nodes are made of.
-    struct Parts {
-        std::span<const IslandBody> bodies;
-        std::span<const IslandHold> holds;
+    /// Along what the joint of a node leaves free.
+    struct Drive {
+        IslandDrive is;
+        std::uint32_t number = 0;  ///< of the island
+        std::uint32_t node = 0;
+        double sign = 1;      ///< of the node's motion against its parent in that of B against A
+        double pull = 0;      ///< of the spring, as the last evaluation found it
+        double ofMotor = 0;   ///< impulse since the start of the step, with what of a piece is done
+        double ofSpring = 0;  ///< likewise
+    };
+    struct DriveMotion {
+        double place = 0;
+        double speed = 0;
     };
 
     // joint_flow.cpp: accelerations
-    Node& addNode(const Parts& parts, std::uint32_t i);
+    Node& addNode(const Island& island, std::uint32_t i);
     static void setDrive(Node& node, const IslandBody& body, double h);
-    void hang(Node& node, const Parts& parts);
+    void hang(Node& node, const Island& island);
     static void turn(Node& node);
     static DVec2 spanOf(const Node& node, const Node& parent);
     static Arms armsOf(const Node& node, const Node& parent);
@@ -179,6 +208,18 @@ private:
     static Coordinates pushOn(const Node& node);
     void accelerate(std::size_t stage);
 
+    // joint_flow_drives.cpp: along what joints leave free
+    void addDrives(Node& node, const Island& island);
+    DriveMotion motionOf(const Drive& drive) const;
+    static Coordinates directionOf(const Drive& drive, const Node& node);
+    void pullSprings();
+    void addPushes(double time);
+    void addHeld(double time);
+    double fastestSpring() const;
+    void wantSpeeds();
+    bool areDrivesSame();
+    bool areWithinStrength(double duration) const;
+
     // joint_flow_steps.cpp: how they are gone through
     double rate(double mostPhase);
     template <std::size_t kStage>
@@ -193,6 +234,7 @@ private:
     double closeGaps();
 
     std::vector<Node> nodes_;            ///< what cannot be moved, then branches from the ground outwards
+    std::vector<Drive> drives_;          ///< by node
     std::vector<std::uint32_t> nodeOf_;  ///< by body
     std::size_t fixed_ = 0;              ///< nodes
     std::vector<double> tensions_;       ///< by node; scratch

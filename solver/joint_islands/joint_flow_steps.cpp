@@ -126,6 +126,8 @@ double JointFlow::rate(double mostPhase) {
         tensions_[n] += force * node.ease;
         tensions_[node.parent] += force * node.easeOfParent;
     }
+    const double spring = fastestSpring();
+    turn = std::max(turn, spring * spring);
     double tension = 0;
     for (const double each : tensions_) { tension = std::max(tension, each); }
     return std::sqrt(std::max(turn / (kMostFlowTurn * kMostFlowTurn), tension / (mostPhase * mostPhase)));
@@ -155,18 +157,27 @@ void JointFlow::addImpulses(double time) {
         const bool isSide = node.kind == IslandHold::Kind::side;
         node.given.along += time * (isSide ? cross(node.direction, push) : dot(node.direction, push));
     }
+    addHeld(time);
 }
 
 /// @pre the accelerations of its first stage
 void JointFlow::step(double time) {
     const Row& weights = kSpeeds[kStages];
     for (Node& node : nodes_) { node.given = node.total; }
+    for (Drive& drive : drives_) {
+        drive.ofMotor = drive.is.motorTotal;
+        drive.ofSpring = drive.is.springTotal;
+    }
     addImpulses(weights[0] * time);
+    addPushes(weights[0] * time);
     const auto goThrough = [&]<std::size_t... kBefore>(std::index_sequence<kBefore...>) {
         const auto pass = [&]<std::size_t kStage>(std::integral_constant<std::size_t, kStage>) {
             moveTo<kStage>(time);
             accelerate(kStage);
-            if (weights[kStage] != 0) { addImpulses(weights[kStage] * time); }
+            if (weights[kStage] != 0) {
+                addImpulses(weights[kStage] * time);
+                addPushes(weights[kStage] * time);
+            }
         };
         (pass(std::integral_constant<std::size_t, kBefore + 1>()), ...);
     };
@@ -184,7 +195,7 @@ double JointFlow::bend(double time) const {
         // What swings on a rod, or slides, need not turn.
         if (node.parent == kNone || node.kind == IslandHold::Kind::point) { continue; }
         const Coordinates apart = own - bendOf(nodes_[node.parent].accelerations);
-        if (norm(apart.linear()) > 0) { worst = worse(worst, norm(apart.linear()) / node.size); }
+        if (norm(apart.linear()) > 0) { worst = worse(worst, norm(apart.linear()) / node.reach); }
     }
     return worst * time * time;
 }
@@ -195,6 +206,10 @@ void JointFlow::accept(double time) {
         node.startPlace = node.place;
         node.startVelocity = node.velocity;
         node.total = node.given;
+    }
+    for (Drive& drive : drives_) {
+        drive.is.motorTotal = drive.ofMotor;
+        drive.is.springTotal = drive.ofSpring;
     }
 }
 
@@ -214,6 +229,7 @@ bool JointFlow::advance(double duration, double most, Tremor tremor) {
         const double bent = bend(time);
         if (bent <= kMostBend) {
             accept(time);
+            if (!areDrivesSame()) { return false; }
             left = wanted > 1 ? left - time : 0;
             if (bent <= kSmallBend) { longest *= 2; }
         } else {
@@ -221,7 +237,7 @@ bool JointFlow::advance(double duration, double most, Tremor tremor) {
             begin();
         }
     }
-    return settle();
+    return areWithinStrength(duration) && settle();
 }
 
 /// Brings joints together that begin, or are left, apart by rounding.
@@ -279,6 +295,7 @@ void JointFlow::agree() {
         node.bias = {led.x - led.turn * span.y - node.velocity.x, led.y + led.turn * span.x - node.velocity.y,
                      led.turn - node.velocity.turn};
     }
+    wantSpeeds();
     solve();
     for (std::size_t n = fixed_; n < nodes_.size(); ++n) {
         Node& node = nodes_[n];
@@ -289,9 +306,10 @@ void JointFlow::agree() {
     }
     addImpulses(1);
     for (Node& node : nodes_) { node.total = node.given; }
+    for (Drive& drive : drives_) { drive.is.motorTotal = drive.ofMotor; }
 }
 
-void JointFlow::finish(std::span<IslandBody> bodies, std::span<IslandHold> holds) const {
+void JointFlow::finish(std::span<IslandBody> bodies, std::span<IslandHold> holds, std::span<IslandDrive> drives) const {
     for (const Node& node : nodes_) {
         IslandBody& body = bodies[node.body];
         body.place = {node.place.linear(), node.place.turn, node.c, node.s};
@@ -308,6 +326,14 @@ void JointFlow::finish(std::span<IslandBody> bodies, std::span<IslandHold> holds
             IslandHold& angle = holds[node.angleHold];
             angle.twist = sign * node.total.twist;
             angle.rows[0].total = angle.twist;
+        }
+    }
+    for (const Drive& drive : drives_) {
+        IslandDrive& result = drives[drive.number];
+        result.motorTotal = drive.is.motorTotal;
+        result.springTotal = drive.is.springTotal;
+        if (drive.is.way == IslandDrive::Way::turn) {
+            holds[nodes_[drive.node].hold].twist += result.motorTotal + result.springTotal;
         }
     }
 }

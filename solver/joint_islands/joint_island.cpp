@@ -71,11 +71,13 @@ double kineticEnergy(const std::vector<IslandBody>& bodies) {
 void JointIsland::clear() {
     bodies_.clear();
     holds_.clear();
+    drives_.clear();
     woundSpeed_ = 0;
-    isPaced_ = false;
+    isPaced_ = isSoft_ = isUndone_ = false;
 }
 
 void JointIsland::prepare() {
+    if (isUndone_) { return; }
     columns_ = 0;
     for (IslandBody& body : bodies_) {
         const bool moves = body.inverseMass > 0 || body.inverseInertia > 0;
@@ -90,12 +92,11 @@ void JointIsland::prepare() {
     change_.resize(columns_);
     weigh();
     growTree();
-    // Who chooses islands for this sees to it that factors do not fill up.
-    matrix_.analyse(columns_, edges_, std::numeric_limits<std::size_t>::max());
 }
 
 void JointIsland::advance(double h, int subSteps, JointFlow& flow) {
     factorisations_ = subSteps_ = 0;
+    if (isUndone_) { return; }
     start_ = bodies_;
     const Rates rates = ratesOf(h);
     int finer = 1;
@@ -107,6 +108,10 @@ void JointIsland::advance(double h, int subSteps, JointFlow& flow) {
         if (advanceSmoothly(h, subSteps, flow)) { return; }
         bodies_ = start_;
     }
+    isUndone_ = !drives_.empty();
+    if (isUndone_) { return; }
+    // Who chooses islands for this sees to it that factors do not fill up.
+    matrix_.analyse(columns_, edges_, std::numeric_limits<std::size_t>::max());
     isSoft_ = !isTree_ && wasOpened && !hasAccount();
     for (int tries = isSoft_ ? 0 : mostTries; tries > 0; --tries) {
         isSoft_ = false;
@@ -135,7 +140,7 @@ bool JointIsland::mayFlow(double duration, const Rates& rates) const {
 }
 
 bool JointIsland::advanceSmoothly(double h, int subSteps, JointFlow& flow) {
-    flow.start(bodies_, holds_, branches_, h);
+    flow.start({bodies_, holds_, branches_, drives_}, h);
     const double most = mostCompositions();
     const auto tremor = subSteps < kSubStepsReplaced ? JointFlow::Tremor::unseen : JointFlow::Tremor::followed;
     const bool isDone = flow.advance(h * subSteps, most, tremor);
@@ -143,7 +148,7 @@ bool JointIsland::advanceSmoothly(double h, int subSteps, JointFlow& flow) {
     subSteps_ += flow.pieces();
     if (!isDone) { return false; }
     dropTotals();
-    flow.finish(bodies_, holds_);
+    flow.finish(bodies_, holds_, drives_);
     return keepsEnergy(h, subSteps, flow.begun());
 }
 
@@ -177,8 +182,9 @@ void JointIsland::dropTotals() {
 
 /// Whether energy tells if a step went wrong: nothing damps the bodies, and nothing drives them but constant forces.
 bool JointIsland::hasAccount() const {
-    return !(woundSpeed_ > 0) && std::none_of(start_.begin(), start_.end(),
-                                              [](const IslandBody& body) { return isCarrier(body) || isDamped(body); });
+    return drives_.empty() && !(woundSpeed_ > 0) &&
+           std::none_of(start_.begin(), start_.end(),
+                        [](const IslandBody& body) { return isCarrier(body) || isDamped(body); });
 }
 
 /// As fast as what carries or draws the island leads it, J.

@@ -9,6 +9,7 @@
 
 #include "../../shapes/dvec2.h"
 #include "../direct/block_ldlt.h"
+#include "island_drive.h"
 #include "joint_flow.h"
 #include "joint_island_parts.h"
 
@@ -48,16 +49,21 @@ public:
     void clear();
     std::vector<IslandBody>& bodies() { return bodies_; }
     std::vector<IslandHold>& holds() { return holds_; }
+    std::vector<IslandDrive>& drives() { return drives_; }
 
     /// Some hold is moved in this step, at so many m/s, so energy does not tell whether it went wrong.
     void allowWork(double speed) { woundSpeed_ = std::max(woundSpeed_, speed); }
     /// Some rod may have a pace. @pre `allowWork`
     void allowPace() { isPaced_ = true; }
-    /// @pre bodies and holds are filled in, forces with those of the step before
+    /// Some drive will not stay what it is in this step: it is not to be taken.
+    void refuse() { isUndone_ = true; }
+    /// @pre bodies, holds and drives are filled in, forces with those of the step before
     void prepare();
-    /// @param h  of a sub-step that drives were made for
+    /// @param h  of a sub-step that drives of bodies were made for
     /// @param flow  scratch
     void advance(double h, int subSteps, JointFlow& flow);
+    /// Nothing took it through the step: joints that have drives are followed by `JointFlow`, or not at all.
+    bool isUndone() const { return isUndone_; }
     int factorisations() const { return factorisations_; }
     int subSteps() const { return subSteps_; }  ///< that the step took
     std::size_t movedBodies() const { return columns_; }
@@ -159,6 +165,7 @@ private:
 
     std::vector<IslandBody> bodies_;
     std::vector<IslandHold> holds_;
+    std::vector<IslandDrive> drives_;
     std::vector<IslandBody> start_;
     std::vector<IslandHold> saved_;  ///< while gaps are closed
     std::vector<BlockEdge> edges_;
@@ -178,6 +185,7 @@ private:
     bool keepsOpen_ = false;  ///< whether the gaps that a step began with stay as wide as they were
     bool isSoft_ = false;
     bool isPaced_ = false;
+    bool isUndone_ = false;
     double woundSpeed_ = 0;  ///< 0: no hold does work
 };
 

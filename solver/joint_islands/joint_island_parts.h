@@ -106,8 +106,10 @@ struct IslandHold {
     double size = 0;   ///< of what its error is measured against, metres or radians
     double rate = 0;   ///< 1/s at which errors are closed that cannot be closed at once
     Row rows[2];
-    double tightness = 0;  ///< kg by which a rod under tension resists being moved aside, along the second row
-    DVec2 reaction;        ///< on B, over the step, N·s
+    std::uint32_t firstDrive = 0;  ///< of the island
+    std::uint32_t drives = 0;      ///< along what it leaves free, how many
+    double tightness = 0;          ///< kg by which a rod under tension resists being moved aside, along the second row
+    DVec2 reaction;                ///< on B, over the step, N·s
     double twist = 0;
 };
 

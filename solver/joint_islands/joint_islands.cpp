@@ -4,11 +4,13 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 #include "../../shapes/vec2.h"
 #include "../direct/direct_parts.h"
 #include "../direct/direct_rows.h"
+#include "island_drives.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -94,9 +96,15 @@ void forgetVoidForces(JointIsland& island, const SolverBatch& batch, int subStep
 class HoldWriter {
 public:
     HoldWriter(JointIslands& islands, SolverBatch& batch, Real h, int subSteps)
-        : islands_(islands), batch_(batch), h_(h), duration_(static_cast<double>(h) * subSteps) {}
+        : islands_(islands),
+          batch_(batch),
+          h_(h),
+          step_{.h = static_cast<double>(h), .duration = static_cast<double>(h) * subSteps} {}
 
-    void operator()(RevoluteConstraint& joint) { addPoint(joint, joint.linearImpulse); }
+    void operator()(RevoluteConstraint& joint) {
+        addPoint(joint, joint.linearImpulse);
+        addDrives(drivesOf(batch_, joint, step_), joint, joint.motorImpulse);
+    }
     void operator()(DistanceConstraint& joint) {
         IslandHold& hold = add(joint, IslandHold::Kind::rod, joint.rigidImpulse);
         hold.axis = toDouble(joint.axis);
@@ -104,16 +112,20 @@ public:
         if (!joint.isGliding) { return; }
         // What it goes farther than by its pace is a gap, which is closed over all of the step.
         const auto pace = static_cast<double>(joint.motion.pace.lower);
-        hold.rest += (static_cast<double>(joint.motion.glide.lower) - pace) * duration_;
+        hold.rest += (static_cast<double>(joint.motion.glide.lower) - pace) * step_.duration;
         hold.begun = hold.rest;
         hold.rows[0].pace = pace;
         islands_.parts_[islands_.sources_.back().part].allowPace();
     }
     void operator()(PrismaticConstraint& joint) {
         addSide(joint, joint.heldImpulse.x);
+        addDrives(drivesOf(batch_, joint, step_), joint, joint.motorImpulse);
         addAngle(joint, joint.heldImpulse.y);
     }
-    void operator()(WheelConstraint& joint) { addSide(joint, joint.heldImpulse.x); }
+    void operator()(WheelConstraint& joint) {
+        addSide(joint, joint.heldImpulse.x);
+        addDrives(drivesOf(batch_, joint, step_), joint.suspension, joint.motorImpulse);
+    }
     void operator()(WeldConstraint& joint) {
         addPoint(joint, joint.linearImpulse);
         addAngle(joint, joint.angularImpulse);
@@ -148,17 +160,35 @@ private:
     }
     template <class Joint>
     void addSide(Joint& joint, Real& impulse) {
-        add(joint, IslandHold::Kind::side, impulse).axis = toDouble(joint.axis);
+        // A unit of float is none of double: where gaps are closed it would leave some.
+        const DVec2 axis = toDouble(joint.axis);
+        add(joint, IslandHold::Kind::side, impulse).axis = axis / length(axis);
     }
     template <class Joint>
     void addAngle(Joint& joint, Real& impulse) {
         add(joint, IslandHold::Kind::angle, impulse).rest = static_cast<double>(joint.baseAngle);
     }
 
+    /// To the hold that was added last. @param motorImpulse  of a motor of either
+    void addDrives(const JointDrives& drives, FreedomParts& parts, Real& motorImpulse) {
+        JointIsland& island = islands_.parts_[islands_.sources_.back().part];
+        IslandHold& hold = island.holds().back();
+        hold.firstDrive = static_cast<std::uint32_t>(island.drives().size());
+        if (!drives.areSmooth) { island.refuse(); }
+        for (const std::optional<IslandDrive>* drive : {&drives.slide, &drives.turn}) {
+            if (!*drive) { continue; }
+            islands_.driveSources_.push_back({islands_.sources_.back().part,
+                                              static_cast<std::uint32_t>(island.drives().size()), &motorImpulse,
+                                              &parts});
+            island.drives().push_back(**drive);
+            ++hold.drives;
+        }
+    }
+
     JointIslands& islands_;
     SolverBatch& batch_;
     Real h_;
-    double duration_;  ///< of the step, s
+    DrivenStep step_;
 };
 
 void JointIslands::list(SolverBatch& batch) {
@@ -205,6 +235,7 @@ void JointIslands::reserveFlows(std::size_t workers) {
 
 void JointIslands::readBack(SolverBatch& batch, int subSteps) {
     for (std::uint32_t i = 0; i < count_; ++i) {
+        if (parts_[i].isUndone()) { continue; }
         forgetVoidForces(parts_[i], batch, subSteps);
         for (const IslandBody& body : parts_[i].bodies()) {
             if (body.column == kNoNode) { continue; }
@@ -217,6 +248,7 @@ void JointIslands::readBack(SolverBatch& batch, int subSteps) {
         }
     }
     for (const Source& source : sources_) {
+        if (parts_[source.part].isUndone()) { continue; }
         const IslandHold& hold = parts_[source.part].holds()[source.hold];
         for (std::size_t i = 0; i < hold.count; ++i) {
             *source.impulses[i] = static_cast<Real>(hold.rows[i].total / subSteps);
@@ -224,11 +256,22 @@ void JointIslands::readBack(SolverBatch& batch, int subSteps) {
         source.total->impulse += toReal(hold.reaction);
         source.total->twist += static_cast<Real>(hold.twist);
     }
+    for (const DriveSource& source : driveSources_) {
+        JointIsland& island = parts_[source.part];
+        if (island.isUndone()) { continue; }
+        const IslandDrive& drive = island.drives()[source.drive];
+        if (drive.motor != IslandDrive::Motor::none) {
+            *source.motorImpulse = static_cast<Real>(drive.motorTotal / subSteps);
+        }
+        if (drive.hasSpring) { source.parts->springImpulse = static_cast<Real>(drive.springTotal / subSteps); }
+        if (drive.hasLimits) { source.parts->lowerImpulse = source.parts->upperImpulse = 0; }
+    }
 }
 
 void JointIslands::solve(SolverBatch& batch, Real h, int subSteps, TaskSystem& loops, SolveReport& report) {
     list(batch);
     sources_.clear();
+    driveSources_.clear();
     HoldWriter writer(*this, batch, h, subSteps);
     forEachHeldKind(batch, [&](auto& joints) {
         for (auto& joint : joints) {
@@ -243,8 +286,10 @@ void JointIslands::solve(SolverBatch& batch, Real h, int subSteps, TaskSystem& l
             parts_[i].advance(static_cast<double>(h), subSteps, flow);
         }
     });
+    anyUndone_ = false;
     for (std::uint32_t i = 0; i < count_; ++i) {
         const JointIsland& island = parts_[i];
+        anyUndone_ = anyUndone_ || island.isUndone();
         report.direct.factorisations += island.factorisations();
         report.direct.givenUp += island.isSoft() ? 1 : 0;
         report.mostSubSteps = std::max(report.mostSubSteps, island.subSteps());

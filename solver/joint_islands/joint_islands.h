@@ -13,14 +13,19 @@
 namespace swept::inline SWEPT_PRECISION {
 
 /// Takes the islands of a batch that consists of rigid joints alone through a step, each on its own: neither contacts
-/// nor neighbours have a part in it.
+/// nor neighbours have a part in it. Hinges, sliders and wheels of islands without loops may have springs, limits and
+/// motors: those that may not go on smoothly through the step are left as they are.
 class JointIslands {
 public:
-    /// @pre no contacts; all joints are rigid and without springs, limits or motors: hinges, rods, welds, sliders, and
-    /// wheels. Drives are those of half a sub-step.
+    /// @pre no contacts; all joints are hinges, rods, welds, sliders, and wheels, rigid in what they hold. Drives of
+    /// bodies are those of half a sub-step.
     void solve(SolverBatch& batch, Real h, int subSteps, TaskSystem& loops, SolveReport& report);
     /// Of what can be moved, in the last solve: whether joints that could not all hold gave way in an island that hangs
     /// on nothing. What that gained nobody took back: it goes as a whole, too, which here is no concern.
+    /// Whether the last solve left any island.
+    bool anyUndone() const { return anyUndone_; }
+    /// Whether it left that of a body that can be moved.
+    bool isUndone(BodySlot slot) const { return parts_[partOf_[slot]].isUndone(); }
     bool gaveWay(BodySlot slot) const {
         const JointIsland& part = parts_[partOf_[slot]];
         return part.isSoft() && part.isFree();
@@ -32,6 +37,13 @@ private:
     void reserveFlows(std::size_t workers);
     void readBack(SolverBatch& batch, int subSteps);
 
+    /// Where impulses of a drive go to.
+    struct DriveSource {
+        std::uint32_t part = 0;
+        std::uint32_t drive = 0;
+        Real* motorImpulse = nullptr;
+        FreedomParts* parts = nullptr;
+    };
     /// Where the impulses of a hold come from and go to.
     struct Source {
         std::uint32_t part = 0;
@@ -48,6 +60,8 @@ private:
     std::uint32_t count_ = 0;            ///< in use
     std::vector<JointFlow> flows_;       ///< by worker; scratch
     std::vector<Source> sources_;
+    std::vector<DriveSource> driveSources_;
+    bool anyUndone_ = false;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

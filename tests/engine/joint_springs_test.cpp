@@ -363,8 +363,8 @@ TEST(JointSprings, LinksThatLieAboutHoldWithHalfOfTheSubSteps) {
     EXPECT_GT(lying, 10) << "held too early to prove anything";
 }
 
-/// The same where nothing holds them, from the first step on, slow as they are then; what hangs from the ground gets
-/// all of them as long as it is slow.
+/// The same where nothing holds them, from the first step on, slow as they are then; what hangs from the ground, as
+/// long as it is slow, is followed without any.
 TEST(JointSprings, LinksThatFallHoldWithHalfOfTheSubSteps) {
     World world = makeWorld();
     const std::vector<BodyId> links = addLinks(world, 0, {});
@@ -383,7 +383,7 @@ TEST(JointSprings, LinksThatFallHoldWithHalfOfTheSubSteps) {
     joint.spring = Spring{real(2), real(0.7)};
     must(hung.createJoint(joint));
     must(hung.step(kStep));
-    EXPECT_GE(hung.counters().mostSubSteps, 16U);
+    EXPECT_EQ(hung.counters().directBodies, hung.counters().solvedBodies);
 }
 
 }  // namespace
