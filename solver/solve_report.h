@@ -44,7 +44,10 @@ struct SolveReport {
     int bounceRounds = 0;   ///< over all sub-steps
     int speedsLimited = 0;  ///< times that `maxSpeed` cut the speed of a body: in a sub-step of halves, of each
     bool isDirect = false;  ///< whether the direct solver took part
-    bool isExact = false;   ///< of rigid joints alone, each island by itself: but for `Solver::gaveWay`, without error
+    /// Of joints alone, each island by itself: but for `Solver::gaveWay`, and what is left (`Solver::isLeft`), without
+    /// error.
+    bool isExact = false;
+    bool anyLeft = false;  ///< some of its islands is left to sub-steps
     /// Sub-steps of the island that had most, and of each body, summed up; 0: those that were asked for.
     int mostSubSteps = 0;
     std::uint64_t bodySubSteps = 0;
@@ -52,7 +55,7 @@ struct SolveReport {
 
     /// What was left of a batch, and solved with so many sub-steps. @param bodies  in it
     void add(const SolveReport& rest, int subSteps, std::size_t bodies) {
-        isExact = false;
+        anyLeft = true;
         colours = std::max(colours, rest.colours);
         speedsLimited += rest.speedsLimited;
         mostSubSteps = std::max(mostSubSteps, subSteps);

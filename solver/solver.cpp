@@ -382,8 +382,8 @@ SolveReport Solver::solve(SolverBatch& batch, const SolverSettings& settings, Ta
     const bool isColoured = std::exchange(isColoured_, false);
     isMet_ = false;
     SolverSettings used = settings;
-    if (settings.direct == DirectScope::driven) {
-        used.direct = DirectScope::freeJoints;
+    if (settings.direct == DirectScope::islandsWithDrives) {
+        used.direct = settings.left;
         if (batch.contacts.empty()) { return solveDriven(batch, used, loops); }
     }
     if (settings.direct == DirectScope::islands) {

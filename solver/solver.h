@@ -40,6 +40,8 @@ struct SolverSettings {
     /// What is solved all at once (`DirectSolver`), where that pays. Unless it is none, drives are halved: one half
     /// acts before the motion of a sub-step and one after it, or both before it, where joints take turns with contacts.
     DirectScope direct = DirectScope::none;
+    /// Of `islandsWithDrives`: of islands whose drives do not go on smoothly, and where there are contacts.
+    DirectScope left = DirectScope::freeJoints;
     /// Joints that are solved so close their errors within so long, s, at least: what shorter sub-steps leave of that
     /// speed would be energy. 0: within a sub-step.
     Real leastClosing = 0;
@@ -73,6 +75,8 @@ public:
     SearchEffort searchEffortOf(BodySlot slot) const { return direct_.effortOf(slot); }
     /// Likewise. @pre `SolveReport::isExact`
     bool gaveWay(BodySlot slot) const { return islands_.gaveWay(slot); }
+    /// Likewise: whether its drives did not go on smoothly. @pre `SolveReport::anyLeft`
+    bool isLeft(BodySlot slot) const { return islands_.isUndone(slot); }
 
 private:
     /// A colour, and those that were joined to it.

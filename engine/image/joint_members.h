@@ -22,7 +22,7 @@ constexpr auto allMembers(T& parts) {
 
 constexpr Flags<13> flagsOf(const JointTie& t) {
     return {t.holds,      t.isPair,   t.mayBreak,         t.isHinge,     t.isPlain,      t.isPassive, t.isPowered,
-            t.holdsAngle, t.isSprung, t.drivesAngleAlone, t.hasRestLoad, t.pushesInside, t.isDriven};
+            t.holdsAngle, t.isSprung, t.drivesAngleAlone, t.hasRestLoad, t.pushesInside, t.hasDrives};
 }
 constexpr void setFlags(JointTie& t, const Flags<13>& flags) {
     t.holds = flags[0];
@@ -37,7 +37,7 @@ constexpr void setFlags(JointTie& t, const Flags<13>& flags) {
     t.drivesAngleAlone = flags[9];
     t.hasRestLoad = flags[10];
     t.pushesInside = flags[11];
-    t.isDriven = flags[12];
+    t.hasDrives = flags[12];
 }
 template <MaybeConst<JointTie> T>
 constexpr auto allMembers(T& tie) {

@@ -139,8 +139,6 @@ DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps
     const bool isCoarse = subSteps < kFewestSubStepsForJoints;
     const bool maySolveIt = !load.hasLoop || load.bodies <= kMostLoopBodies || !load.hasWideLoop;
     if (!isTouching && load.plainJoints == load.joints && maySolveIt) { return DirectScope::islands; }
-    const bool areFollowed = load.plainJoints + load.drivenJoints == load.joints;
-    if (!isTouching && areFollowed && !load.hasLoop) { return DirectScope::driven; }
     // A loop may be taut: what closes its gaps is then near infinite (a straight bridge between two posts).
     if (load.hasLoop || isCoarse) { return DirectScope::none; }
     // A heavy drum that light things tumble in hangs on its joint no worse than without them. And what lies loose, or
@@ -164,6 +162,12 @@ DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps
     }
     if (isHopeless) { return DirectScope::joints; }
     return isTouching ? DirectScope::none : DirectScope::freeJoints;
+}
+
+/// Whether drives go on with joints that nothing touches as an equation, instead of that scope.
+bool mayBeFollowed(const IslandLoad& load, DirectScope scope) {
+    const bool isDirect = scope == DirectScope::freeJoints || scope == DirectScope::joints;
+    return isDirect && load.contacts == 0 && !load.hasLoop && load.plainJoints + load.jointsWithDrives == load.joints;
 }
 
 /// Half as long for four times the ratio; never for what is at rest.
@@ -209,13 +213,13 @@ Effort effortFor(const IslandLoad& load, const StepScale& step, double pull) {
     if (load.joints > 0) {
         const DirectScope scope = scopeForJoints(load, isTouching, step.subSteps);
         // To solve joints all at once keeps energy, but not where drives take it.
-        const bool mayBeCrowd =
-            scope == DirectScope::none || scope == DirectScope::driven || scope == DirectScope::freeJoints;
-        if (jostles && mayBeCrowd) { return kCrowd; }
+        if (jostles && (scope == DirectScope::none || scope == DirectScope::freeJoints)) { return kCrowd; }
         // Islands see to that themselves.
+        const bool isFollowed = mayBeFollowed(load, scope);
         const bool mayWhip = scope != DirectScope::none && scope != DirectScope::islands && !rests;
         return {.doublings = mayWhip ? doublingsForWhips(load, step.subSteps) : std::int8_t{0},
-                .direct = scope,
+                .direct = isFollowed ? DirectScope::islandsWithDrives : scope,
+                .left = isFollowed ? scope : Effort{}.left,
                 .isInTurns = scope == DirectScope::joints && isTouching};
     }
     const DirectScope scope = scopeForContacts(load, rests);
@@ -258,8 +262,8 @@ void listLoosened(WorldState& world) {
     for (const JointChain& chain : world.jointChains.list) {
         const Body& body = world.bodies[chain.lowest];
         const DirectScope scope = body.effort.direct;
-        const bool wasExact =
-            scope == DirectScope::islands || scope == DirectScope::driven || scope == DirectScope::freeJoints;
+        const bool wasExact = scope == DirectScope::islands || scope == DirectScope::islandsWithDrives ||
+                              scope == DirectScope::freeJoints;
         if (body.role != BodyRole::solved || !wasExact) { continue; }
         const Effort& effort = world.islandLoads[world.islands.find(chain.lowest)].effort;
         if (effort.direct == DirectScope::none) { world.loosenedChains.push_back(chain.lowest); }

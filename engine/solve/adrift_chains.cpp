@@ -131,6 +131,7 @@ private:
         for (std::size_t i = 0; i < desk.bodies.size(); ++i) {
             const std::uint32_t slot = desk.bodies[i];
             if (world_.bodies[slot].holdingJoints == 0 || !isMovable(desk.batch.inertias[i + 1])) { continue; }
+            if (desk.isExactOf(static_cast<BodySlot>(i + 1))) { continue; }
             const std::uint32_t place = adriftChainOf(world_, slot);
             if (place == kNoIndex) { continue; }
             ChainSpin& spin = spins_[isOne_ ? 0 : place];
@@ -152,7 +153,8 @@ private:
 
 void keepSpinOfAdrift(const WorldState& world, const TiedGroup& group) {
     const JointChains& chains = world.jointChains;
-    if (!chains.isAnyAdrift || chains.tieSleepers || group.joints.empty() || group.desk.isExact) { return; }
+    if (!chains.isAnyAdrift || chains.tieSleepers || group.joints.empty()) { return; }
+    if (group.desk.isExact && !group.desk.anyLeft) { return; }
     AdriftChains adrift(world, group);
     adrift.addUpMotions();
     if (!adrift.findWholes()) { return; }

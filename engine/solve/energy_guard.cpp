@@ -115,16 +115,17 @@ void noteJointed(EnergyAccount& account, const JointChain& chain, bool isExact, 
 
 void noteWhatGaveWay(WorldState& world, const SolveDesk& desk) {
     forEachMoved(desk, [&](std::size_t i, std::uint32_t slot) {
-        if (!desk.solver.gaveWay(static_cast<BodySlot>(i + 1))) { return; }
-        accountOf(world, slot).gaveWay = true;
+        const auto own = static_cast<BodySlot>(i + 1);
+        if (!desk.isExactOf(own) || desk.solver.gaveWay(own)) { accountOf(world, slot).gaveWay = true; }
     });
 }
 
 /// Which islands have joints, and whether these drive them or hold them to something. Joints that are solved exactly
-/// have accounts of their own (`JointIsland`), but for what nothing holds and gave way.
+/// have accounts of their own (`JointIsland`), but for what nothing holds and gave way; drives that are followed make
+/// no error.
 void noteJointed(WorldState& world, const TiedGroup& group) {
     const bool isExact = group.desk.isExact;
-    if (isExact && group.desk.anyGaveWay) { noteWhatGaveWay(world, group.desk); }
+    if (isExact && (group.desk.anyGaveWay || group.desk.anyLeft)) { noteWhatGaveWay(world, group.desk); }
     if (group.role == BodyRole::solved) {  // most of all that is awake: what is known of whole chains is enough
         for (const JointChain& chain : world.jointChains.list) {
             EnergyAccount& account = accountOf(world, chain.lowest);

@@ -29,7 +29,7 @@ private:
 };
 bool isPlain(const Joint& joint) { return std::visit(PlainJoints{}, joint.parts); }
 
-bool isDriven(const Joint& joint) {
+bool hasDrives(const Joint& joint) {
     const JointType type = joint.type();
     const bool mayBe = type == JointType::revolute || type == JointType::prismatic || type == JointType::wheel;
     return mayBe && !isPlain(joint);
@@ -112,7 +112,7 @@ JointTie tieOf(const Joint& joint) {
             .mayBreak = joint.base.breakForce || joint.base.breakTorque,
             .isHinge = hinge != nullptr,
             .isPlain = isPlain(joint),
-            .isDriven = isDriven(joint),
+            .hasDrives = hasDrives(joint),
             .isPassive = isPassive(joint),
             .isPowered = isPowered(joint),
             .holdsAngle = holdsAngle(joint),

@@ -111,6 +111,7 @@ SolverSettings settingsOf(const WorldState& world, const TiedGroup& group, const
             .bouncesInTurn = way.inTurn,
             .coarseImpacts = isFast,
             .direct = plan.scope,
+            .left = group.effort.left,
             .leastClosing = leastClosingOf(world, group, plan.part),
             .hasManyBodies = group.effort.isLarge,
             .settled = group.effort.isSettled};
@@ -191,6 +192,7 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     if (!way.areLinked) { contacts.readConstraints(); }
     desk.isExact = report.isExact;
     desk.anyGaveWay = report.direct.givenUp > 0;
+    desk.anyLeft = report.anyLeft;
     readBodies(world, group, plan.time, plan.h, part.dt);
     const bool isSearch = plan.scope == DirectScope::all;
     const bool isSolved = !isSearch || (report.isDirect && report.direct.givenUp == 0);

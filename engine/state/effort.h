@@ -14,7 +14,9 @@ namespace swept::inline SWEPT_PRECISION {
 struct Effort {
     std::int8_t doublings = 0;  ///< of the sub-steps that the settings ask for; negative: halvings
     DirectScope direct = DirectScope::none;
-    bool isCrowd = false;  ///< jostling, not carrying: one pass of relaxation after each solve does
+    DirectScope left =
+        DirectScope::freeJoints;  ///< of `islandsWithDrives`, where these are not smooth, or touch something
+    bool isCrowd = false;         ///< jostling, not carrying: one pass of relaxation after each solve does
     /// Part of the key of a class only: the solver takes turns wherever a class of scope `joints` has contacts, so
     /// islands without any must be in another class.
     bool isInTurns = false;

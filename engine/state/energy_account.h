@@ -35,7 +35,7 @@ struct EnergyAccount {
     // What holds it.
     bool isJointed = false;
     bool isDoubled = false;     ///< two joints tie two of its bodies to each other: they may not agree
-    bool gaveWay = false;       ///< where others were solved exactly (`Solver::gaveWay`)
+    bool gaveWay = false;       ///< where others were solved exactly (`Solver::gaveWay`, `isLeft`)
     bool isYanked = false;      ///< a call moved what a joint holds far: its gap is closed at no cost
     bool isAnchored = false;    ///< joints, or a gear, tie it to what is not dynamic
     std::uint32_t anchors = 0;  ///< such joints

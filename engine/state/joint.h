@@ -37,6 +37,9 @@ struct DrivenJoint {
     /// like that, but put elsewhere: the gap is closed at no cost, and that is no work of the joint.
     bool isYank = false;
     bool isPut = false;  ///< one of its bodies was put elsewhere since the last step: a gap that is left is a yank
+    /// After a yank some gap was not closed in time: something is in the way. The joint is torn (torn_joints.h), and
+    /// stays in the list until it is closed.
+    bool isStuck = false;
 
     // How far, as a length, whatever it is that was moved.
     Real toGo = 0;        ///< all moves since the last step, metres
@@ -133,7 +136,7 @@ struct JointTie {
     bool mayBreak : 1 = false;  ///< it has a limit
     bool isHinge : 1 = false;
     bool isPlain : 1 = false;           ///< holds what it holds rigidly, and does nothing else
-    bool isDriven : 1 = false;          ///< a hinge, slider or wheel that has limits, a motor or a spring
+    bool hasDrives : 1 = false;         ///< a hinge, slider or wheel that has limits, a motor or a spring
     bool isPassive : 1 = false;         ///< does nothing that gives energy, but for what its springs held
     bool isPowered : 1 = false;         ///< does what takes or gives energy: what it holds keeps none
     bool holdsAngle : 1 = false;        ///< of its bodies to each other, rigidly

@@ -61,12 +61,16 @@ struct alignas(kCacheLine) SolveDesk {
     std::uint64_t energySolve = 0;            ///< its number
     bool isExact = false;                     ///< the present solve (`SolveReport`)
     bool anyGaveWay = false;                  ///< of its islands, where it is exact
+    bool anyLeft = false;                     ///< likewise: solved with sub-steps after all
     std::vector<ChainSpin> chainSpins;        ///< scratch, by place in the list of chains
     std::vector<ChainSums> chainSums;         ///< scratch, likewise
 
     std::vector<ContactEvent> events;
     StepCounters counters;
     bool anyFlung = false;  ///< the solver may have moved some body as far as only a fast one moves
+
+    /// Whether the present solve was exact for the island of a body that can be moved.
+    bool isExactOf(BodySlot slot) const { return isExact && !(anyLeft && solver.isLeft(slot)); }
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

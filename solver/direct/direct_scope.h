@@ -10,12 +10,12 @@ namespace swept::inline SWEPT_PRECISION {
 /// What is solved all at once.
 enum class DirectScope : std::uint8_t {
     none,
-    islands,     ///< islands of rigid joints and nothing else, each on its own (`JointIslands`)
-    driven,      ///< likewise, and some have springs, limits or motors
-    freeJoints,  ///< what joints hold rigidly, as long as there are no contacts
-    joints,      ///< what joints hold rigidly
-    jointed,     ///< that, always: contacts are iterated on what answers as the joints hold it together
-    all,         ///< what joints hold rigidly, and all contacts
+    islands,            ///< islands of rigid joints and nothing else, each on its own (`JointIslands`)
+    islandsWithDrives,  ///< likewise, where hinges, sliders and wheels may have springs, limits and motors
+    freeJoints,         ///< what joints hold rigidly, as long as there are no contacts
+    joints,             ///< what joints hold rigidly
+    jointed,            ///< that, always: contacts are iterated on what answers as the joints hold it together
+    all,                ///< what joints hold rigidly, and all contacts
 };
 
 /// Whether motors are rows of that solve.

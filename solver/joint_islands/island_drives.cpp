@@ -17,6 +17,8 @@ constexpr double kRoomAhead = 1.25;
 /// as many steps.
 constexpr double kPartToHold = 1.0 / 64;
 constexpr double kStepsToGet = 2;
+/// Of the speeds of two bodies.
+constexpr double kSpeedRounding = 4 * static_cast<double>(kEpsilon);
 
 /// How two points answer to each other.
 struct Response {
@@ -64,19 +66,34 @@ struct Wanted {
     Real mostImpulse;  ///< in a sub-step
 };
 
-/// @param mass  that it moves, at least
-bool takeMotor(IslandDrive& drive, const Wanted& wanted, double mass, double speed, const DrivenStep& step) {
+/// Along the way of a motor.
+struct WayNow {
+    double mass = 0;      ///< that it moves, at least
+    double speed = 0;     ///< along the way
+    double rounding = 0;  ///< of that
+};
+
+/// What has no strength is none.
+bool takeMotor(IslandDrive& drive, const Wanted& wanted, const WayNow& now, const DrivenStep& step) {
     drive.speed = static_cast<double>(wanted.speed);
     drive.most = static_cast<double>(wanted.mostImpulse) / step.h;
-    const double lacks = mass * (drive.speed - speed);
+    if (!(drive.most > 0)) { return true; }
+    const double lacks = now.mass * (drive.speed - now.speed);
     const double most = drive.most * step.duration;
-    if (std::fabs(lacks) <= kPartToHold * most) {
+    if (std::fabs(lacks) <= kPartToHold * most + now.mass * now.rounding) {
         drive.motor = IslandDrive::Motor::holds;
         return true;
     }
     drive.motor = IslandDrive::Motor::pushes;
     drive.push = std::copysign(drive.most, lacks);
     return std::fabs(lacks) > kStepsToGet * most;
+}
+
+/// Without the mass.
+WayNow turningOf(const SolverBatch& batch, const JointConstraint& joint) {
+    const auto a = static_cast<double>(batch.states[joint.slotA].angularVelocity);
+    const auto b = static_cast<double>(batch.states[joint.slotB].angularVelocity);
+    return {.speed = b - a, .rounding = kSpeedRounding * (std::fabs(a) + std::fabs(b))};
 }
 
 }  // namespace
@@ -87,7 +104,7 @@ double IslandDrive::massAt(DVec2 axis, DVec2 armOfA, DVec2 armOfB) const {
     const double together = turns > 0 ? inverseInertiaOfA * inverseInertiaOfB / turns : 0;
     const DVec2 apart = armOfA - armOfB;
     if (way == Way::turn) {
-        // Determinants of the points alone, and with the angle: terms that are all at least 0.
+        // Determinants of the points alone, and with the angle.
         Response points{inverseMass, inverseMass, 0};
         points.add(inverseInertiaOfA, armOfA.x, armOfA.y);
         points.add(inverseInertiaOfB, armOfB.x, armOfB.y);
@@ -111,14 +128,13 @@ JointDrives drivesOf(const SolverBatch& batch, const RevoluteConstraint& joint, 
     const DVec2 armA = toDouble(joint.anchorA);
     const DVec2 armB = toDouble(joint.anchorB);
     setBodies(turn, batch.inertias[joint.slotA], batch.inertias[joint.slotB]);
-    const double speed = static_cast<double>(batch.states[joint.slotB].angularVelocity) -
-                         static_cast<double>(batch.states[joint.slotA].angularVelocity);
+    WayNow now = turningOf(batch, joint);
     bool& areSmooth = drives.areSmooth;
     if (joint.hasSpring) { areSmooth = takeSpring(turn, joint.spring, step); }
-    if (joint.hasLimits) { areSmooth = areSmooth && takeLimits(turn, joint, speed, step); }
+    if (joint.hasLimits) { areSmooth = areSmooth && takeLimits(turn, joint, now.speed, step); }
     if (joint.hasMotor) {
-        const double mass = turn.massAt({}, armA, armB);
-        areSmooth = areSmooth && takeMotor(turn, {joint.motorSpeed, joint.maxMotorImpulse}, mass, speed, step);
+        now.mass = turn.massAt({}, armA, armB);
+        areSmooth = areSmooth && takeMotor(turn, {joint.motorSpeed, joint.maxMotorImpulse}, now, step);
     }
     return drives;
 }
@@ -126,10 +142,8 @@ JointDrives drivesOf(const SolverBatch& batch, const RevoluteConstraint& joint, 
 namespace {
 
 /// Along an axis, now.
-struct SlideNow {
+struct SlideNow : WayNow {
     IslandDrive drive;
-    double mass = 0;
-    double speed = 0;
 };
 
 template <class Joint>
@@ -148,6 +162,7 @@ SlideNow slideOf(const SolverBatch& batch, const Joint& joint, bool holdsAngle) 
     setBodies(slide.drive, batch.inertias[joint.slotA], batch.inertias[joint.slotB]);
     slide.mass = slide.drive.massAt(axis, armA, armB);
     slide.speed = dot(axis, ofB - ofA);
+    slide.rounding = kSpeedRounding * (norm(ofA) + norm(ofB));
     return slide;
 }
 
@@ -162,7 +177,7 @@ JointDrives drivesOf(const SolverBatch& batch, const PrismaticConstraint& joint,
     if (joint.hasLimits) { areSmooth = areSmooth && takeLimits(slide.drive, joint, slide.speed, step); }
     if (joint.hasMotor) {
         const Wanted wanted{joint.motorSpeed, joint.maxMotorImpulse};
-        areSmooth = areSmooth && takeMotor(slide.drive, wanted, slide.mass, slide.speed, step);
+        areSmooth = areSmooth && takeMotor(slide.drive, wanted, slide, step);
     }
     drives.slide = slide.drive;
     return drives;
@@ -186,11 +201,10 @@ JointDrives drivesOf(const SolverBatch& batch, const WheelConstraint& joint, con
     if (!joint.hasMotor) { return drives; }
     IslandDrive turn;
     setBodies(turn, batch.inertias[joint.slotA], batch.inertias[joint.slotB]);
-    const double speed = static_cast<double>(batch.states[joint.slotB].angularVelocity) -
-                         static_cast<double>(batch.states[joint.slotA].angularVelocity);
+    WayNow now = turningOf(batch, joint);
     // A wheel turns about its anchor; what carries it resists as a whole.
-    const double mass = turn.massAt({}, toDouble(joint.centerOffset + joint.anchorB), toDouble(joint.anchorB));
-    areSmooth = areSmooth && takeMotor(turn, {joint.motorSpeed, joint.maxMotorImpulse}, mass, speed, step);
+    now.mass = turn.massAt({}, toDouble(joint.centerOffset + joint.anchorB), toDouble(joint.anchorB));
+    areSmooth = areSmooth && takeMotor(turn, {joint.motorSpeed, joint.maxMotorImpulse}, now, step);
     drives.turn = turn;
     return drives;
 }

@@ -218,7 +218,7 @@ private:
     double fastestSpring() const;
     void wantSpeeds();
     bool areDrivesSame();
-    bool areWithinStrength(double duration) const;
+    bool areWithinStrength(double time) const;
 
     // joint_flow_steps.cpp: how they are gone through
     double rate(double mostPhase);

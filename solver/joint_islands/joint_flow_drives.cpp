@@ -126,10 +126,11 @@ bool JointFlow::areDrivesSame() {
     });
 }
 
-/// Whether motors could hold what they held.
-bool JointFlow::areWithinStrength(double duration) const {
-    return std::all_of(drives_.begin(), drives_.end(), [duration](const Drive& drive) {
-        return drive.is.motor != IslandDrive::Motor::holds || std::fabs(drive.ofMotor) <= drive.is.most * duration;
+/// Whether motors could hold what they held since the last piece.
+bool JointFlow::areWithinStrength(double time) const {
+    return std::all_of(drives_.begin(), drives_.end(), [time](const Drive& drive) {
+        const double given = drive.ofMotor - drive.is.motorTotal;
+        return drive.is.motor != IslandDrive::Motor::holds || std::fabs(given) <= drive.is.most * time;
     });
 }
 

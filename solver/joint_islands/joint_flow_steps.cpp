@@ -219,6 +219,8 @@ bool JointFlow::advance(double duration, double most, Tremor tremor) {
     double longest = duration;
     begin();
     agree();
+    if (!areWithinStrength(duration)) { return false; }  // that brings motors to their speeds at once
+    for (Drive& drive : drives_) { drive.is.motorTotal = drive.ofMotor; }
     while (left > 0) {
         accelerate(0);
         longest = std::min(longest, 1 / rate(mostPhase));
@@ -228,6 +230,7 @@ bool JointFlow::advance(double duration, double most, Tremor tremor) {
         step(time);
         const double bent = bend(time);
         if (bent <= kMostBend) {
+            if (!areWithinStrength(time)) { return false; }
             accept(time);
             if (!areDrivesSame()) { return false; }
             left = wanted > 1 ? left - time : 0;
@@ -237,7 +240,7 @@ bool JointFlow::advance(double duration, double most, Tremor tremor) {
             begin();
         }
     }
-    return areWithinStrength(duration) && settle();
+    return settle();
 }
 
 /// Brings joints together that begin, or are left, apart by rounding.
@@ -306,7 +309,6 @@ void JointFlow::agree() {
     }
     addImpulses(1);
     for (Node& node : nodes_) { node.total = node.given; }
-    for (Drive& drive : drives_) { drive.is.motorTotal = drive.ofMotor; }
 }
 
 void JointFlow::finish(std::span<IslandBody> bodies, std::span<IslandHold> holds, std::span<IslandDrive> drives) const {

@@ -171,10 +171,16 @@ private:
 
     /// To the hold that was added last. @param motorImpulse  of a motor of either
     void addDrives(const JointDrives& drives, FreedomParts& parts, Real& motorImpulse) {
+        if (!drives.turn && !drives.slide) { return; }
         JointIsland& island = islands_.parts_[islands_.sources_.back().part];
         IslandHold& hold = island.holds().back();
         hold.firstDrive = static_cast<std::uint32_t>(island.drives().size());
-        if (!drives.areSmooth) { island.refuse(); }
+        const auto mayFlow = [&island](std::uint32_t i) {
+            const IslandBody& body = island.bodies()[i];
+            const bool moves = body.inverseMass > 0 || body.inverseInertia > 0;
+            return !moves || JointFlow::mayTake(body);
+        };
+        if (!drives.areSmooth || !mayFlow(hold.a) || !mayFlow(hold.b)) { island.refuse(); }
         for (const std::optional<IslandDrive>* drive : {&drives.slide, &drives.turn}) {
             if (!*drive) { continue; }
             islands_.driveSources_.push_back({islands_.sources_.back().part,
@@ -260,9 +266,7 @@ void JointIslands::readBack(SolverBatch& batch, int subSteps) {
         JointIsland& island = parts_[source.part];
         if (island.isUndone()) { continue; }
         const IslandDrive& drive = island.drives()[source.drive];
-        if (drive.motor != IslandDrive::Motor::none) {
-            *source.motorImpulse = static_cast<Real>(drive.motorTotal / subSteps);
-        }
+        *source.motorImpulse = static_cast<Real>(drive.motorTotal / subSteps);  // of a wheel its turn comes last
         if (drive.hasSpring) { source.parts->springImpulse = static_cast<Real>(drive.springTotal / subSteps); }
         if (drive.hasLimits) { source.parts->lowerImpulse = source.parts->upperImpulse = 0; }
     }

@@ -22,14 +22,15 @@ public:
     void solve(SolverBatch& batch, Real h, int subSteps, TaskSystem& loops, SolveReport& report);
     /// Of what can be moved, in the last solve: whether joints that could not all hold gave way in an island that hangs
     /// on nothing. What that gained nobody took back: it goes as a whole, too, which here is no concern.
-    /// Whether the last solve left any island.
-    bool anyUndone() const { return anyUndone_; }
-    /// Whether it left that of a body that can be moved.
-    bool isUndone(BodySlot slot) const { return parts_[partOf_[slot]].isUndone(); }
     bool gaveWay(BodySlot slot) const {
         const JointIsland& part = parts_[partOf_[slot]];
         return part.isSoft() && part.isFree();
     }
+
+    /// Whether the last solve left any island.
+    bool anyUndone() const { return anyUndone_; }
+    /// Whether it left that of a body that can be moved.
+    bool isUndone(BodySlot slot) const { return parts_[partOf_[slot]].isUndone(); }
 
 private:
     void list(SolverBatch& batch);

@@ -18,6 +18,7 @@ public:
             velocity_.insert(velocity_.end(), {body.velocity.x, body.velocity.y, body.spin});
         }
         impulses_.resize(gaps(place_).size());
+        pushed_.resize(tree.drives.size());
         agree();
         constexpr int kSteps = 32;
         for (int i = 0; i < kSteps; ++i) { step(kFlowStep / kSteps); }
@@ -25,12 +26,14 @@ public:
     const std::vector<double>& place() const { return place_; }
     const std::vector<double>& velocity() const { return velocity_; }
     const std::vector<double>& impulses() const { return impulses_; }  ///< by row, with the first jerk
+    const std::vector<double>& pushed() const { return pushed_; }      ///< impulses of springs and motors that push
 
 private:
     using Numbers = std::vector<double>;
     struct Change {
         Numbers acceleration;
         Numbers forces;
+        Numbers pushes{};  ///< of drives that hold nothing, by drive
     };
 
     Numbers gaps(const Numbers& q) const {
@@ -114,11 +117,13 @@ private:
         if (drive.hasSpring) {
             const double mass = drive.inverseMass > 0 ? massOf(i, q) : drive.mass;
             force -= mass * (drive.stiffness * placeOf(i, q) + drive.damping * speed);
+            force -= drive.fixedStiffness * placeOf(i, q);
         }
         return force;
     }
     /// Adds what they do to accelerations, by how their places change with each coordinate.
-    void addDrives(const Numbers& q, const Numbers& v, Numbers& driven) const {
+    Numbers addDrives(const Numbers& q, const Numbers& v, Numbers& driven) const {
+        Numbers pushes;
         constexpr double kSmall = 1e-5;
         for (std::size_t drive = 0; drive < tree_.drives.size(); ++drive) {
             Numbers slope(q.size());
@@ -132,7 +137,9 @@ private:
             }
             const double force = forceOf(drive, q, speed);
             for (std::size_t i = 0; i < q.size(); ++i) { driven[i] += inverseMass(i) * force * slope[i]; }
+            pushes.push_back(force);
         }
+        return pushes;
     }
     static Numbers moved(const Numbers& q, double factor, const Numbers& v) {
         Numbers sum = q;
@@ -208,7 +215,7 @@ private:
             driven[3 * body + 1] = tree_.accelerations[body].y - tree_.damping[body] * v[3 * body + 1];
             driven[3 * body + 2] = -tree_.damping[body] * v[3 * body + 2];
         }
-        addDrives(q, v, driven);
+        const Numbers pushes = addDrives(q, v, driven);
         constexpr double kSmall = 1e-4;
         const std::vector<Numbers> columns = slopes(q);
         const Numbers after = gaps(moved(q, kSmall, v));
@@ -221,6 +228,7 @@ private:
         }
         Change change = answer(q, wanted);
         change.acceleration = moved(change.acceleration, 1, driven);
+        change.pushes = pushes;
         return change;
     }
     /// By the classical method of the fourth order.
@@ -240,12 +248,14 @@ private:
         add(place_, v, v2, v3, v4);
         add(velocity_, first.acceleration, second.acceleration, third.acceleration, fourth.acceleration);
         add(impulses_, first.forces, second.forces, third.forces, fourth.forces);
+        add(pushed_, first.pushes, second.pushes, third.pushes, fourth.pushes);
     }
 
     const FlowTree& tree_;
     Numbers place_;
     Numbers velocity_;
     Numbers impulses_;
+    Numbers pushed_;
 };
 
 }  // namespace swept::test

@@ -164,6 +164,7 @@ private:
             drive.inverseMass = a.inverseMass + b.inverseMass;
             drive.inverseInertiaOfA = a.inverseInertia;
             drive.inverseInertiaOfB = b.inverseInertia;
+            if (isWheel) { drive.fixedStiffness = drive.stiffness * random.range(0.3, 1.0) * leastOf(hold, way); }
         }
         drive.most = std::numeric_limits<double>::infinity();
         if (kind == 2) {
