@@ -54,7 +54,7 @@ constexpr auto allMembers(T& w) {
         w.watchedBodies, w.unmeasured, w.thinnestWall, w.masslessBodies,
         // Joints.
         w.joints, w.jointTies, w.newJoints, w.startPause, w.loosenedChains, w.anyRestLoads, w.activeJoints,
-        w.jointChains, w.drivenJoints,
+        w.jointChains, w.drivenJoints, w.anyStuck,
         // Contacts.
         leftOut(w.broadphase), w.proxyShapes, leftOut(w.newPairs), leftOut(w.newPairKinds), leftOut(w.metPairs),
         w.contacts, w.probes, leftOut(w.probesThere), w.parked, w.pairsOfShapes, w.candidates,

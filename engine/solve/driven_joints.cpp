@@ -10,6 +10,7 @@
 #include "energy_gain.h"
 #include "joint_builder.h"
 #include "joint_place.h"
+#include "torn_joints.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -78,6 +79,15 @@ void findMotion(DrivenJoint& driven, const WorldState& world, const Joint& joint
     driven.isYank = driven.isYank || yanks || springYanks;
 }
 
+/// Whether a yank left a gap so wide that it tears: it should have been closed by now. (A mouse has its own rule.)
+bool isTornApart(const WorldState& world, const Joint& joint) {
+    if (joint.type() == JointType::mouse) { return false; }
+    const JointErrors errors = errorsOf(world, joint);
+    const JointErrors limits = limitErrorsOf(world, joint);
+    return errorRatio(world, joint, {std::max(errors.length, limits.length), 0}) > kTornPull ||
+           std::max(errors.angle, limits.angle) > kMostTwist;
+}
+
 /// Of what follows a target it is known what it did (motor_work.h).
 bool isAccounted(const Joint& joint) { return joint.type() == JointType::mouse || joint.type() == JointType::motor; }
 
@@ -108,6 +118,7 @@ DrivenJoint& entryOf(WorldState& world, JointId joint) {
 
 DrivenJoint& noted(WorldState& world, JointId joint) {
     DrivenJoint& driven = entryOf(world, joint);
+    driven.isStuck = false;
     driven.stepsLeft = kDrivenSteps;
     return driven;
 }
@@ -122,6 +133,7 @@ void findYank(DrivenJoint& driven, const WorldState& world, Joint& joint) {
     driven.isPut = false;
     if (isYank(world, joint, gapOfPut(world, joint))) {
         driven.isYank = true;
+        driven.isStuck = false;
         driven.stepsLeft = kDrivenSteps;
     } else if (driven.stepsLeft <= 1) {
         driven.stepsLeft = 1;  // it ends with this step
@@ -166,6 +178,7 @@ void beginDriven(WorldState& world, double dt) {
 }
 
 void endDriven(WorldState& world) {
+    world.anyStuck = false;
     std::uint32_t kept = 0;
     for (DrivenJoint& driven : world.drivenJoints) {
         Joint* const joint = world.joints.find(driven.joint);
@@ -175,7 +188,12 @@ void endDriven(WorldState& world) {
         driven.motion = {};
         driven.paceSpeed = 0;
         joint->driven = kNotDriven;
-        if (--driven.stepsLeft == 0) { continue; }
+        if (--driven.stepsLeft == 0) {
+            const bool mayBeStuck = driven.isYank || driven.isStuck;
+            if (!mayBeStuck || !isTornApart(world, *joint)) { continue; }
+            driven = {.joint = driven.joint, .stepsLeft = 1, .isStuck = true};
+            world.anyStuck = true;
+        }
         joint->driven = kept;
         world.drivenJoints[kept++] = driven;
     }

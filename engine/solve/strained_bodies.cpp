@@ -166,7 +166,7 @@ private:
 
 void findStrained(const WorldState& world, const TiedGroup& group) {
     group.desk.grounds.clear();
-    if (!mayTear(world) || groundCyclesOf(world.settings) == kContactCycles) { return; }
+    if (world.kinematicBodies == 0 || groundCyclesOf(world.settings) == kContactCycles) { return; }
     StrainFinder(world, group).find();
 }
 

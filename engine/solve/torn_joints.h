@@ -5,15 +5,16 @@
 #include "../../solver/softness.h"
 #include "joint_place.h"
 
-/// Joints that cannot hold: something kinematic, or a target, goes on while what hangs on it is stopped.
+/// Joints that cannot hold: something kinematic, or a target, goes on while what hangs on it is stopped; or bodies were
+/// put on both sides of a wall.
 
 namespace swept::inline SWEPT_PRECISION {
 
 /// How far a joint is off, as a part of the smallest extent of its bodies, or in radians, whichever is more.
 Real errorRatio(const WorldState& world, const Joint& joint, const JointErrors& errors);
 
-/// Whether gaps may grow without end, by what nothing stops. A mouse joint may tear in any world.
-inline bool mayTear(const WorldState& world) { return world.kinematicBodies > 0; }
+/// Whether gaps may grow without end, by what nothing stops, or stay. A mouse joint may tear in any world.
+inline bool mayTear(const WorldState& world) { return world.kinematicBodies > 0 || world.anyStuck; }
 
 /// A joint is a spring, the stiffest one that a sub-step samples, and so it pulls the harder the farther it is off. A
 /// contact gives way to it by twelve times its gap: what a train dragged against a wall was pressed through that, swept
@@ -39,9 +40,15 @@ inline bool isTouching(const WorldState& world, const Joint& joint) {
                        [&world](std::uint32_t slot) { return world.bodies[slot].hasContact; });
 }
 
-/// Whether a call moved what it holds far: nothing tears it, and it closes its gap at once. (A mouse is led.)
+/// Whether a call moved what it holds far: nothing tears it, and it closes its gap at once. (A mouse is led.) Until it
+/// is known to be stuck.
 inline bool isYanked(const WorldState& world, const Joint& joint) {
     return joint.driven != kNotDriven && world.drivenJoints[joint.driven].isYank;
+}
+
+/// Whether something keeps it from closing a gap that a call left.
+inline bool isStuck(const WorldState& world, const Joint& joint) {
+    return joint.driven != kNotDriven && world.drivenJoints[joint.driven].isStuck;
 }
 
 /// Part of its pull that a joint has; less than 1 if it is torn.
@@ -49,8 +56,10 @@ inline bool isYanked(const WorldState& world, const Joint& joint) {
 inline Real pullOf(const WorldState& world, const Joint& joint, const JointErrors& errors) {
     const bool isMouse = joint.type() == JointType::mouse;
     const Real ratio = errorRatio(world, joint, {errors.length, 0});
-    Real share =
-        ratio > (isMouse ? kTornPull : kMostGap) ? shareOfPull(ratio, isMouse, isTouching(world, joint)) : Real(1);
+    const bool isTornAtOnce = isMouse || (isStuck(world, joint) && isTouching(world, joint));
+    Real share = ratio > (isTornAtOnce ? kTornPull : kMostGap)
+                     ? shareOfPull(ratio, isTornAtOnce, isTouching(world, joint))
+                     : Real(1);
     if (errors.angle > kMostTwist) { share = std::min(share, kMostTwist / errors.angle); }
     return share < 1 && (isMouse || !isYanked(world, joint)) ? share : Real(1);
 }

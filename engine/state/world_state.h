@@ -173,6 +173,7 @@ struct WorldState : Workers {
     RawVector<std::uint32_t> flyers;
     std::uint32_t bullets = 0;  ///< awake ones
     std::vector<DrivenJoint> drivenJoints;
+    bool anyStuck = false;  ///< any `DrivenJoint::isStuck`
     bool watched = false;   ///< this step: some body has such a mode (modes.h)
     bool anyFast = false;   ///< this step: some awake body is, or is a flyer or a bullet
     bool anyFlung = false;  ///< the solver may have moved some body as far as only a fast one moves
