@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "../../shapes/compiler.h"
 #include "../../shapes/trig.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -49,6 +50,19 @@ void addMoved(Inertia& to, const Inertia& m, DVec2 span) {
     const double both = (m.ty * span.x - m.tx * span.y) - m.yx * (span.x * span.y);
     to.tt += (m.tt + turning) + 2 * both;
 }
+
+/// Likewise of what has a mass at the end of an arm, and no inertia to turns.
+SWEPT_FORCE_INLINE void addAtArm(Inertia& to, double xx, double yx, double yy, DVec2 arm) {
+    to.xx += xx;
+    to.yx += yx;
+    to.yy += yy;
+    to.tx += yx * arm.x - xx * arm.y;
+    to.ty += yy * arm.x - yx * arm.y;
+    to.tt += (yy * (arm.x * arm.x) + xx * (arm.y * arm.y)) - 2 * (yx * (arm.x * arm.y));
+}
+
+/// Of a pin: that of the point, which a turn does not change.
+DVec2 biasOfPin(const auto& node) { return node.bias.linear() + node.bias.turn * leftOf(node.armOfJoint); }
 
 /// What takes away speeds, and adds to them, evenly.
 struct Damping {
@@ -124,6 +138,7 @@ void JointFlow::hang(Node& node, const Island& island) {
     addDrives(node, island);
     const bool mayMoveOff = node.kind != IslandHold::Kind::point && !node.holdsSlide;
     node.freedoms = (mayMoveOff ? 1 : 0) + (mayTurn && !node.holdsTurn ? 1 : 0);
+    node.isPin = node.kind == IslandHold::Kind::point && node.freedoms == 1;
 }
 
 void JointFlow::start(const Island& island, double h) {
@@ -182,8 +197,8 @@ void JointFlow::setPoint(Node& node, const Node& parent) {
     const DVec2 armOfParent = turned(parent.c, parent.s, node.anchorOfParent);
     const DVec2 bias = drawIn(node.velocity.turn, arm) - drawIn(parent.velocity.turn, armOfParent);
     node.armOfJoint = arm;
+    node.armOfParent = armOfParent;
     node.bias = {bias.x, bias.y, 0};
-    node.free[0].along = Coordinates::turnAbout(arm);
 }
 
 /// A body that is held at a distance may move across, and turn.
@@ -243,8 +258,7 @@ void JointFlow::placeJoints() {
 /// way from one body's inertia to the next one's counts: they wait for each other.)
 void JointFlow::eliminate(Node& node) {
     Inertia inertia = node.carried;
-    node.force -= times(inertia, node.bias);
-    Coordinates force = node.force;
+    Coordinates force = node.force - times(inertia, node.bias);
     for (std::size_t i = 0; i < node.freedoms; ++i) {
         Freedom& freedom = node.free[i];
         const Coordinates pushed = times(inertia, freedom.along);
@@ -264,6 +278,39 @@ void JointFlow::eliminate(Node& node) {
         subtractOuter(parent.carried, node.free[i].pushed.moved(span), node.free[i].ease.moved(span));
     }
     parent.force += force.moved(span);
+}
+
+/// The same of what turns about a point, seen from there: of its inertia nothing is left to turns.
+void JointFlow::eliminatePin(Node& node) {
+    const Inertia& m = node.carried;
+    const DVec2 arm = node.armOfJoint;
+    const double tx = m.tx - (m.yx * arm.x - m.xx * arm.y);
+    const double ty = m.ty - (m.yy * arm.x - m.yx * arm.y);
+    const double turning = m.yy * (arm.x * arm.x) + m.xx * (arm.y * arm.y);
+    const double both = (m.tx * arm.y - m.ty * arm.x) - m.yx * (arm.x * arm.y);
+    const double inverse = 1 / ((m.tt + turning) + 2 * both);
+    Freedom& turn = node.free[0];
+    turn.ease = {inverse * tx, inverse * ty, 0};
+    turn.gain = inverse * (node.force.turn - cross(arm, node.force.linear()));
+    Node& parent = nodes_[node.parent];
+    if (parent.isFixed) { return; }
+    const double xx = m.xx - tx * turn.ease.x;
+    const double yx = m.yx - ty * turn.ease.x;
+    const double yy = m.yy - ty * turn.ease.y;
+    addAtArm(parent.carried, xx, yx, yy, node.armOfParent);
+    const DVec2 bias = biasOfPin(node);
+    const DVec2 force{(node.force.x - tx * turn.gain) - (xx * bias.x + yx * bias.y),
+                      (node.force.y - ty * turn.gain) - (yx * bias.x + yy * bias.y)};
+    parent.force += Coordinates{force.x, force.y, cross(node.armOfParent, force)};
+}
+
+void JointFlow::reachByPin(Node& node) const {
+    const Node& parent = nodes_[node.parent];
+    const DVec2 led = parent.reached.linear() + parent.reached.turn * leftOf(node.armOfParent) + biasOfPin(node);
+    const Freedom& turn = node.free[0];
+    const double reached = turn.gain - (turn.ease.x * led.x + turn.ease.y * led.y);
+    const DVec2 center = led - reached * leftOf(node.armOfJoint);
+    node.reached = {center.x, center.y, reached};
 }
 
 /// What a body reaches whose parent's is known.
@@ -288,12 +335,18 @@ void JointFlow::solve() {
     for (std::size_t n = fixed_; n < nodes_.size(); ++n) {
         nodes_[n].carried = {.xx = nodes_[n].mass, .yy = nodes_[n].mass, .tt = nodes_[n].inertia};
     }
-    for (std::size_t n = nodes_.size(); n-- > fixed_;) { eliminate(nodes_[n]); }
-    for (std::size_t n = fixed_; n < nodes_.size(); ++n) { reach(nodes_[n]); }
+    for (std::size_t n = nodes_.size(); n-- > fixed_;) {
+        Node& node = nodes_[n];
+        node.isPin ? eliminatePin(node) : eliminate(node);
+    }
+    for (std::size_t n = fixed_; n < nodes_.size(); ++n) {
+        Node& node = nodes_[n];
+        node.isPin ? reachByPin(node) : reach(node);
+    }
 }
 
 /// Of the joint on its body, as the last solve found it.
-Coordinates JointFlow::pushOn(const Node& node) { return times(node.carried, node.reached - node.bias) - node.force; }
+Coordinates JointFlow::pushOn(const Node& node) { return times(node.carried, node.reached) - node.force; }
 
 void JointFlow::loadDrives() {
     for (std::size_t n = fixed_; n < nodes_.size(); ++n) {

@@ -120,6 +120,7 @@ private:
         bool isB = false;         ///< of the joint
         bool isFixed = false;     ///< or moved, and not by the island
         bool isStill = false;     ///< fixed
+        bool isPin = false;       ///< it may turn about a point, and nothing else
         bool isLever = false;     ///< its turn moves an anchor, or an axis
         bool holdsTurn = false;   ///< a motor does
         bool holdsSlide = false;  ///< likewise
@@ -149,12 +150,13 @@ private:
         double c = 1;
         double s = 0;
         DVec2 armOfJoint;    ///< from the centre to where the joint's force acts
+        DVec2 armOfParent;   ///< likewise, of a pin
         DVec2 direction;     ///< of a rod, away from the parent; of the axis of what slides
         Coordinates bias{};  ///< acceleration, or change, beside the parent's and what is free
 
         Freedom free[3];
         Inertia carried;        ///< with all that hangs on it
-        Coordinates force{};    ///< likewise, less what the bias takes
+        Coordinates force{};    ///< likewise
         Coordinates reached{};  ///< acceleration, or change
 
         /// By the joint, since the start of the step.
@@ -204,7 +206,9 @@ private:
     void loadDrives();
     void solve();
     void eliminate(Node& node);
+    void eliminatePin(Node& node);
     void reach(Node& node) const;
+    void reachByPin(Node& node) const;
     static Coordinates pushOn(const Node& node);
     void accelerate(std::size_t stage);
 
