@@ -268,9 +268,8 @@ void Solver::bounceInTurn(SolverBatch& batch, int turns, const ContactPass& pass
 template <bool kJoints, bool kBounces>
 void Solver::runSubSteps(SolverBatch& batch, const SolverSettings& settings, SolveReport& report) {
     const Real h = settings.dt / static_cast<Real>(settings.subSteps);
-    constexpr bool kOnlyContacts = !kJoints && !kBounces;
     const bool isIterated = settings.direct == DirectScope::none;
-    isRepeated_ = kOnlyContacts && isIterated && !settings.bouncesInTurn;
+    isRepeated_ = !kJoints && !kBounces && isIterated && !settings.bouncesInTurn;
     const bool isLively = settings.bouncesInTurn && contacts_.mostRestitution(batch) > kLivelyRestitution;
     const int turns = settings.bouncesInTurn ? (isLively ? kTurns : 1) : 0;
     for (int subStep = 0; subStep < settings.subSteps; ++subStep) {
@@ -325,23 +324,24 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
     report.isDirect =
         settings.direct != DirectScope::none && direct_.prepare(batch, settings.direct, settings.hasManyBodies);
     areJointed_ = report.isDirect && settings.direct == DirectScope::jointed;
-    if (report.isDirect) {
+    const bool isHeld = report.isDirect && !direct_.isIdle();
+    if (isHeld) {
         makeContactsRigid(batch, settings.direct);
         if constexpr (kJoints) { makeJointsRigid(batch); }
     }
-    const bool contactsAreDirect = report.isDirect && looksAtContacts(settings.direct);
     const bool isAtOnce = loops.startSeconds() < TaskSystem::kAtOnce;
     const bool hasMany = isAtOnce || graph_.contactColours().size() >= kFewestToFill;
     TaskSystem& ofMany = hasMany ? loops : serial_;
     contacts_.build(batch, graph_,
-                    {.wide = settings.wide && !contactsAreDirect, .prepared = needsContactsPrepared(batch, settings)},
+                    {.wide = settings.wide && !(isHeld && looksAtContacts(settings.direct)),
+                     .prepared = needsContactsPrepared(batch, settings)},
                     ofMany);
     report.contactBlocks = contacts_.blockCount();
     if (batch.store != nullptr) { listBouncing(batch, settings); }
     const bool hasManyHinges = isAtOnce || batch.hingeLinks.size() >= kFewestToFill;
     TaskSystem& ofManyHinges = hasManyHinges ? loops : serial_;
     if constexpr (kJoints) {
-        buildJointBlocks(batch, settings.wide && !report.isDirect, ofManyHinges);
+        buildJointBlocks(batch, settings.wide && !isHeld, ofManyHinges);
         countJointBlocks(report);
     }
     listRuns<kJoints>(batch);
@@ -355,6 +355,7 @@ SolveReport Solver::solveWith(SolverBatch& batch, const SolverSettings& settings
         runSubSteps<kJoints, true>(batch, settings, report);
     }
     if (isMet_ && areJointed_) { direct_.forgetBlows(); }
+    report.isDirect = isHeld;
     contacts_.readBack(batch, ofMany);
     if constexpr (kJoints) {
         hinges_.readBack(batch, ofManyHinges);

@@ -23,10 +23,18 @@ bool mayBePutBack(const WorldState& world, std::uint32_t joint) {
         case JointType::wheel:
         case JointType::weld:
         case JointType::distance:
+        case JointType::motor:
+        case JointType::mouse:
             return true;
         default:
             return false;
     }
+}
+
+/// Whether joints of islands without contacts are solved so, each island by itself however many there are.
+constexpr bool isOfFreeJoints(DirectScope scope) {
+    return scope == DirectScope::islands || scope == DirectScope::islandsWithDrives ||
+           scope == DirectScope::softJoints || scope == DirectScope::freeJoints;
 }
 
 /// Whether the members are solved the same way together with others.
@@ -36,10 +44,10 @@ bool mayBeTried(const WorldState& world, std::size_t island, double dt) {
     const Effort effort = world.bodies[fast.bodies.of(island)[0]].effort;
     const std::span<const std::uint32_t> joints = fast.joints.of(island);
     const auto isPutBack = [&world](std::uint32_t joint) { return mayBePutBack(world, joint); };
-    const bool isPlain = joints.empty()
-                             ? effort.doublings == 0
-                             : effort.direct == DirectScope::none && (effort.doublings == 0 || effort.isCrowd) &&
-                                   std::all_of(joints.begin(), joints.end(), isPutBack);
+    const bool isPlain = joints.empty() ? effort.doublings == 0
+                                        : (effort.direct == DirectScope::none || isOfFreeJoints(effort.direct)) &&
+                                              (effort.doublings == 0 || effort.isCrowd) &&
+                                              std::all_of(joints.begin(), joints.end(), isPutBack);
     return isPlain && !effort.isSettled && isOnePart(world, fast.bodies.of(island), joints, dt);
 }
 

@@ -20,11 +20,11 @@ constexpr auto allMembers(T& parts) {
     return listed(flagsIn(parts));
 }
 
-constexpr Flags<13> flagsOf(const JointTie& t) {
+constexpr Flags<14> flagsOf(const JointTie& t) {
     return {t.holds,      t.isPair,   t.mayBreak,         t.isHinge,     t.isPlain,      t.isPassive, t.isPowered,
-            t.holdsAngle, t.isSprung, t.drivesAngleAlone, t.hasRestLoad, t.pushesInside, t.hasDrives};
+            t.holdsAngle, t.isSprung, t.drivesAngleAlone, t.hasRestLoad, t.pushesInside, t.hasDrives, t.isSoft};
 }
-constexpr void setFlags(JointTie& t, const Flags<13>& flags) {
+constexpr void setFlags(JointTie& t, const Flags<14>& flags) {
     t.holds = flags[0];
     t.isPair = flags[1];
     t.mayBreak = flags[2];
@@ -38,10 +38,11 @@ constexpr void setFlags(JointTie& t, const Flags<13>& flags) {
     t.hasRestLoad = flags[10];
     t.pushesInside = flags[11];
     t.hasDrives = flags[12];
+    t.isSoft = flags[13];
 }
 template <MaybeConst<JointTie> T>
 constexpr auto allMembers(T& tie) {
-    static_assert(areAllListed<JointTie>(3, 13));
+    static_assert(areAllListed<JointTie>(3, 14));
     return listed(tie.bodyA, tie.bodyB, flagsIn(tie), tie.hingeParts);
 }
 

@@ -160,8 +160,9 @@ DirectScope scopeForJoints(const IslandLoad& load, bool isTouching, int subSteps
     if (mayAgree && mayBeJointed(load.contacts, load.bodies) && (isHopeless || isDoubled)) {
         return DirectScope::jointed;
     }
-    if (isHopeless) { return DirectScope::joints; }
-    return isTouching ? DirectScope::none : DirectScope::freeJoints;
+    if (isHopeless && load.softJoints < load.joints) { return DirectScope::joints; }
+    if (isTouching) { return DirectScope::none; }
+    return load.softJoints == load.joints ? DirectScope::softJoints : DirectScope::freeJoints;
 }
 
 /// Whether drives go on with joints that nothing touches as an equation, instead of that scope.
@@ -213,7 +214,9 @@ Effort effortFor(const IslandLoad& load, const StepScale& step, double pull) {
     if (load.joints > 0) {
         const DirectScope scope = scopeForJoints(load, isTouching, step.subSteps);
         // To solve joints all at once keeps energy, but not where drives take it.
-        if (jostles && (scope == DirectScope::none || scope == DirectScope::freeJoints)) { return kCrowd; }
+        const bool mayBeCrowd =
+            scope == DirectScope::none || scope == DirectScope::softJoints || scope == DirectScope::freeJoints;
+        if (jostles && mayBeCrowd) { return kCrowd; }
         // Islands see to that themselves.
         const bool isFollowed = mayBeFollowed(load, scope);
         const bool mayWhip = scope != DirectScope::none && scope != DirectScope::islands && !rests;

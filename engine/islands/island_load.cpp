@@ -158,6 +158,7 @@ void addJoints(WorldState& world) {
         load.joints += chain.joints;
         load.limitedHinges += chain.limitedHinges;
         load.plainJoints += chain.plainJoints;
+        load.softJoints += chain.softJoints;
         load.jointsWithDrives += chain.jointsWithDrives;
         load.powered += chain.poweredJoints;
         load.holdsAngles = load.holdsAngles || chain.angleJoints > 0;

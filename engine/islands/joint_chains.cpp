@@ -121,6 +121,7 @@ void sumUpJoints(WorldState& world) {
         chain.ties += tie.drivesAngleAlone ? 0 : 1;
         chain.doubled += !tie.drivesAngleAlone && isDoubled(world, tie, i) ? 1 : 0;
         chain.plainJoints += tie.isPlain ? 1 : 0;
+        chain.softJoints += tie.isSoft ? 1 : 0;
         chain.jointsWithDrives += tie.hasDrives ? 1 : 0;
         chain.poweredJoints += tie.isPowered ? 1 : 0;
         chain.angleJoints += tie.holdsAngle ? 1 : 0;

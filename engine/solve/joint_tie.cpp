@@ -29,6 +29,21 @@ private:
 };
 bool isPlain(const Joint& joint) { return std::visit(PlainJoints{}, joint.parts); }
 
+/// Whether a rod or a weld holds nothing rigidly.
+struct SoftJoints {
+    bool operator()(const JointPart<DistanceJointDef, DistanceConstraint>& part) const {
+        return part.def.spring || part.def.limits;
+    }
+    bool operator()(const JointPart<WeldJointDef, WeldConstraint>& part) const {
+        return part.def.linearSpring && part.def.angularSpring;
+    }
+    template <class Part>
+    bool operator()(const Part&) const {
+        return false;
+    }
+};
+bool isSoft(const Joint& joint) { return std::visit(SoftJoints{}, joint.parts); }
+
 bool hasDrives(const Joint& joint) {
     const JointType type = joint.type();
     const bool mayBe = type == JointType::revolute || type == JointType::prismatic || type == JointType::wheel;
@@ -112,6 +127,7 @@ JointTie tieOf(const Joint& joint) {
             .mayBreak = joint.base.breakForce || joint.base.breakTorque,
             .isHinge = hinge != nullptr,
             .isPlain = isPlain(joint),
+            .isSoft = isSoft(joint),
             .hasDrives = hasDrives(joint),
             .isPassive = isPassive(joint),
             .isPowered = isPowered(joint),

@@ -19,6 +19,7 @@ struct JointChain {
     std::uint32_t ties = 0;              ///< those of them that may close a loop: not what drives an angle alone
     std::uint32_t doubled = 0;           ///< those of them whose two bodies one before ties already
     std::uint32_t plainJoints = 0;       ///< `JointTie::isPlain`
+    std::uint32_t softJoints = 0;        ///< `JointTie::isSoft`
     std::uint32_t jointsWithDrives = 0;  ///< `JointTie::hasDrives`
     std::uint32_t poweredJoints = 0;
     std::uint32_t anchors = 0;      ///< joints that tie it to what is not dynamic

@@ -12,6 +12,7 @@ enum class DirectScope : std::uint8_t {
     none,
     islands,            ///< islands of rigid joints and nothing else, each on its own (`JointIslands`)
     islandsWithDrives,  ///< likewise, where hinges, sliders and wheels may have springs, limits and motors
+    softJoints,         ///< nothing, as long as there are no contacts; but drives are halved as with `freeJoints`
     freeJoints,         ///< what joints hold rigidly, as long as there are no contacts
     joints,             ///< what joints hold rigidly
     jointed,            ///< that, always: contacts are iterated on what answers as the joints hold it together

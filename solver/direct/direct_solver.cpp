@@ -33,9 +33,12 @@ bool isAnyIterated(const SolverBatch& batch) {
 }  // namespace
 
 bool DirectSolver::prepare(SolverBatch& batch, DirectScope scope, bool hasManyBodies) {
-    if ((scope == DirectScope::freeJoints || scope == DirectScope::islands) && !batch.contacts.empty()) {
-        return false;
-    }
+    isIdle_ = false;
+    const bool isOfJoints =
+        scope == DirectScope::softJoints || scope == DirectScope::freeJoints || scope == DirectScope::islands;
+    if (isOfJoints && !batch.contacts.empty()) { return false; }
+    isIdle_ = scope == DirectScope::softJoints;
+    if (isIdle_) { return true; }
     scope_ = scope;
     hasGivenUp_ = false;
     joints_.begin();
@@ -85,6 +88,7 @@ bool DirectSolver::findImpulses(const SolverBatch& batch, DirectReport& report) 
 }
 
 bool DirectSolver::solve(SolverBatch& batch, Real h, bool useBias, DirectReport& report) {
+    if (isIdle_) { return true; }
     if (hasGivenUp_) { return false; }
     system_.setStrength(1);
     joints_.gather(batch, system_, h, useBias);
@@ -110,7 +114,7 @@ bool DirectSolver::needsToHoldAgain(const SolverBatch& batch) const {
 }
 
 void DirectSolver::holdAgain(SolverBatch& batch, DirectReport& report) {
-    if (!needsToHoldAgain(batch)) { return; }
+    if (isIdle_ || !needsToHoldAgain(batch)) { return; }
     joints_.gatherAgain(batch.states);
     drives_.takeUp(batch.states);
     drives_.searchAgain(system_, joints_, report);

@@ -27,13 +27,18 @@ public:
     /// @return false when there is nothing to do, or the system is too tangled to pay
     bool prepare(SolverBatch& batch, DirectScope scope, bool hasManyBodies = false);
 
+    /// Whether nothing is held in scope `softJoints`: there is nothing to do, but drives are halved.
+    bool isIdle() const { return isIdle_; }
+
     /// Of sub-steps to come: errors of joints are closed within so long, s, or one of them, whichever is longer.
     void setLeastClosing(Real seconds) { joints_.setLeastClosing(seconds); }
 
     /// Before impulses of the sub-step before are applied: how bodies that are held move, which tells where they will
     /// be better than what those impulses made of it. (Of joints that depend on each other they may be as large as they
     /// like, and no longer cancel once the bodies have turned: two welds worked against each other more and more.)
-    void noteMotions(const SolverBatch& batch) { joints_.noteMotions(batch.states); }
+    void noteMotions(const SolverBatch& batch) {
+        if (!isIdle_) { joints_.noteMotions(batch.states); }
+    }
 
     /// Changes velocities and impulses. Contacts come with the impulses expected, not yet applied; joints with theirs
     /// applied.
@@ -75,6 +80,7 @@ private:
 
     DirectScope scope_ = DirectScope::none;
     bool hasGivenUp_ = false;    ///< in this step
+    bool isIdle_ = false;        ///< likewise
     std::vector<BodyTie> ties_;  ///< by slot
     DirectSystem system_;
     DirectJoints joints_;
