@@ -31,7 +31,7 @@ bool mayBePutBack(const WorldState& world, std::uint32_t joint) {
     }
 }
 
-/// Whether joints of islands without contacts are solved so, each island by itself however many there are.
+/// Whether joints of islands without contacts are solved so.
 constexpr bool isOfFreeJoints(DirectScope scope) {
     return scope == DirectScope::islands || scope == DirectScope::islandsWithDrives ||
            scope == DirectScope::softJoints || scope == DirectScope::freeJoints;

@@ -76,7 +76,10 @@ void findMotion(DrivenJoint& driven, const WorldState& world, const Joint& joint
     const bool yanks = isYank(world, joint, std::exchange(driven.jump, Real(0)) - carried);
     const bool springYanks = isYank(world, joint, std::exchange(driven.springJump, Real(0)) - carried);
     driven.motion = {yanks ? pace : LimitPace{now[0], now[1]}, pace};
-    driven.isYank = driven.isYank || yanks || springYanks;
+    if (yanks || springYanks) {
+        driven.isYank = true;
+        driven.isStuck = false;
+    }
 }
 
 /// Whether a yank left a gap so wide that it tears: it should have been closed by now. (A mouse has its own rule.)
@@ -118,7 +121,6 @@ DrivenJoint& entryOf(WorldState& world, JointId joint) {
 
 DrivenJoint& noted(WorldState& world, JointId joint) {
     DrivenJoint& driven = entryOf(world, joint);
-    driven.isStuck = false;
     driven.stepsLeft = kDrivenSteps;
     return driven;
 }
@@ -135,7 +137,7 @@ void findYank(DrivenJoint& driven, const WorldState& world, Joint& joint) {
         driven.isYank = true;
         driven.isStuck = false;
         driven.stepsLeft = kDrivenSteps;
-    } else if (driven.stepsLeft <= 1) {
+    } else if (driven.stepsLeft <= 1 && !driven.isStuck) {
         driven.stepsLeft = 1;  // it ends with this step
         joint.driven = kNotDriven;
     }
@@ -191,9 +193,13 @@ void endDriven(WorldState& world) {
         if (--driven.stepsLeft == 0) {
             const bool mayBeStuck = driven.isYank || driven.isStuck;
             if (!mayBeStuck || !isTornApart(world, *joint)) { continue; }
-            driven = {.joint = driven.joint, .stepsLeft = 1, .isStuck = true};
-            world.anyStuck = true;
+            if (driven.isStuck || isTouching(world, *joint)) {
+                driven = {.joint = driven.joint, .stepsLeft = 1, .isStuck = true};
+            } else {
+                driven.stepsLeft = 1;  // nothing is in the way: it is drawn on
+            }
         }
+        world.anyStuck = world.anyStuck || driven.isStuck;
         joint->driven = kept;
         world.drivenJoints[kept++] = driven;
     }

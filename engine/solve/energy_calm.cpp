@@ -18,7 +18,7 @@ namespace {
 /// made.
 bool mayHaveBurst(const EnergyAccount& account) {
     constexpr double kBurst = 64;
-    if (!account.isJointed || account.isYanked) { return false; }
+    if (!account.isJointed) { return false; }
     const double before = std::max(ownKinetic(account) - account.gained, 0.0);
     return excessOf(account) > kBurst * (before + account.fall);
 }
@@ -36,7 +36,10 @@ bool goesOn(const EnergyAccount& account) {
 /// stayed so.)
 bool opens(const EnergyAccount& account) {
     constexpr Real kOpened = Real(1) / 256;  // of their extents, all together
-    return account.gapAfter > account.gapBefore + kOpened;
+    constexpr Real kOpenedByCalls =
+        Real(1) / 8;  // of the gaps that calls made: what closes one of them may open others
+    const Real more = account.isYanked ? kOpenedByCalls * account.gapBefore : Real(0);
+    return account.gapAfter > account.gapBefore + more + kOpened;
 }
 
 /// Of a speed, where so much of its energy is taken.

@@ -125,7 +125,6 @@ void noteWhatGaveWay(WorldState& world, const SolveDesk& desk) {
 /// no error.
 void noteJointed(WorldState& world, const TiedGroup& group) {
     const bool isExact = group.desk.isExact;
-    if (isExact && (group.desk.anyGaveWay || group.desk.anyLeft)) { noteWhatGaveWay(world, group.desk); }
     if (group.role == BodyRole::solved) {  // most of all that is awake: what is known of whole chains is enough
         for (const JointChain& chain : world.jointChains.list) {
             EnergyAccount& account = accountOf(world, chain.lowest);
@@ -292,6 +291,8 @@ void book(WorldState& world, SolveDesk& desk) {
 void settleAccounts(WorldState& world, const TiedGroup& group, Real time, Real h, double dt) {
     const std::vector<std::uint32_t>& roots = group.desk.energyRoots;
     const bool hasJoints = !group.joints.empty();
+    const SolveDesk& desk = group.desk;
+    if (desk.isExact && (desk.anyGaveWay || desk.anyLeft)) { noteWhatGaveWay(world, desk); }
     if (hasJoints && world.jointChains.mayAnyLend) { noteLent(world, group, time, dt); }
     const auto hasGainedAnything = [&](std::uint32_t root) { return hasGained(world.energyAccounts[root]); };
     const double part = world.jointChains.isAnyLoose ? kGainRounding : kJointedGain;

@@ -231,7 +231,9 @@ struct ConstraintFiller {
         constraint.centerOffset = centerOffset(world, joint);
         constraint.softness = jointSoftness(world, world.bodies[heldBodyOf(world, joint)].effort, h, dt);
         (*this)(constraint, part.def);
-        if (std::is_same_v<typename Part::Constraint, MouseConstraint> || mayTear(world)) { ease(constraint, part); }
+        if (std::is_same_v<typename Part::Constraint, MouseConstraint> || mayTear(world, joint)) {
+            ease(constraint, part);
+        }
     }
     template <class Part>
     void ease(typename Part::Constraint& constraint, const Part& part) const;

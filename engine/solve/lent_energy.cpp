@@ -54,13 +54,24 @@ void forget(JointChain& chain) {
     chain.lent = {};
 }
 
+/// Whether something that it holds is awake: what is stuck may sleep.
+bool isInChain(const WorldState& world, const DrivenJoint& driven) {
+    const Joint* const joint = world.joints.find(driven.joint);
+    if (joint == nullptr || !world.jointTies[driven.joint.index].holds) { return false; }
+    const auto bodies = joint->allBodies();
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [&world](std::uint32_t slot) { return isAwakeDynamic(world, slot); });
+}
+
 /// Of the group of all that is solved together.
 void noteLentOfAll(WorldState& world, const TiedGroup& group, Real time, double parts) {
     const SolveDesk& desk = group.desk;
     JointChains& chains = world.jointChains;
     for (JointChain& chain : chains.list) {
         chain.isDamped = false;
-        chain.lends = chain.mayLend && accountOf(world, chain.lowest).solve == desk.energySolve;
+        const EnergyAccount& account = accountOf(world, chain.lowest);
+        const bool isOff = !desk.isExact || account.gaveWay;
+        chain.lends = chain.mayLend && account.solve == desk.energySolve && isOff;
     }
     for (const JointChains::Member& member : chains.members) {
         JointChain& chain = chains.list[chains.places[member.lowest]];
@@ -69,7 +80,7 @@ void noteLentOfAll(WorldState& world, const TiedGroup& group, Real time, double 
         if (touches(world, member.body)) { forget(chain); }
     }
     for (const DrivenJoint& driven : world.drivenJoints) {
-        if (world.joints.find(driven.joint) == nullptr || !world.jointTies[driven.joint.index].holds) { continue; }
+        if (!isInChain(world, driven)) { continue; }
         if (JointChain& chain = chainOf(world, driven.joint.index); chain.lends) { forget(chain); }
     }
     if (anyOf(chains.list, isSummedUp)) { addUpChains(world, group, time); }
@@ -118,7 +129,7 @@ std::uint64_t mixed(JointId id) {
 }  // namespace
 
 void noteLent(WorldState& world, const TiedGroup& group, Real time, double dt) {
-    if (group.desk.isExact) { return; }  // what is solved exactly opens no joints
+    if (group.desk.isExact && !group.desk.anyLeft) { return; }  // what is solved exactly opens no joints
     const double parts = dt / static_cast<double>(time);
     if (group.role == BodyRole::solved) {
         noteLentOfAll(world, group, time, parts);

@@ -36,7 +36,7 @@ TiedHinges::TiedHinges(WorldState& world, const TiedGroup& group, Real h, const 
       desk_(group.desk),
       times_(part, h),
       softness_(jointSoftness(world, group.effort, h, times_.dt)),
-      mayTear_(mayTear(world)) {}
+      mayAnyTear_(mayAnyTear(world)) {}
 
 void TiedHinges::link(std::uint32_t joint, const JointTie& tie) {
     SolverBatch& batch = desk_.batch;
@@ -64,7 +64,7 @@ void TiedHinges::fillLane(WideRevolute& block, std::size_t lane, const HingeLink
                    .centerOffset = toReal(world_.motions[joint.bodyB].center - world_.motions[joint.bodyA].center),
                    .softness = softness_,
                    .impulse = joint.hinge.point};
-    if (mayTear_) {
+    if (mayAnyTear_ && mayTear(world_, joint)) {
         const Real gap = length(head.centerOffset + head.anchorB - head.anchorA);
         head.softness = easedOf(softness_, world_, joint,
                                 {gap, link.parts.hasLimits ? limitErrorsOf(world_, joint).angle : Real(0)});

@@ -29,7 +29,7 @@ private:
     SolveDesk& desk_;
     SolveTimes times_;
     Softness softness_;
-    bool mayTear_;
+    bool mayAnyTear_;
 };
 
 }  // namespace swept::inline SWEPT_PRECISION

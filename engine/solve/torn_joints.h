@@ -13,8 +13,17 @@ namespace swept::inline SWEPT_PRECISION {
 /// How far a joint is off, as a part of the smallest extent of its bodies, or in radians, whichever is more.
 Real errorRatio(const WorldState& world, const Joint& joint, const JointErrors& errors);
 
-/// Whether gaps may grow without end, by what nothing stops, or stay. A mouse joint may tear in any world.
-inline bool mayTear(const WorldState& world) { return world.kinematicBodies > 0 || world.anyStuck; }
+/// Whether something keeps it from closing a gap that a call left.
+inline bool isStuck(const WorldState& world, const Joint& joint) {
+    return joint.driven != kNotDriven && world.drivenJoints[joint.driven].isStuck;
+}
+/// Whether the gap of any joint may grow without end, by what nothing stops, or stay. A mouse joint may tear in any
+/// world.
+inline bool mayAnyTear(const WorldState& world) { return world.kinematicBodies > 0 || world.anyStuck; }
+/// That of this one.
+inline bool mayTear(const WorldState& world, const Joint& joint) {
+    return world.kinematicBodies > 0 || isStuck(world, joint);
+}
 
 /// A joint is a spring, the stiffest one that a sub-step samples, and so it pulls the harder the farther it is off. A
 /// contact gives way to it by twelve times its gap: what a train dragged against a wall was pressed through that, swept
@@ -44,11 +53,6 @@ inline bool isTouching(const WorldState& world, const Joint& joint) {
 /// is known to be stuck.
 inline bool isYanked(const WorldState& world, const Joint& joint) {
     return joint.driven != kNotDriven && world.drivenJoints[joint.driven].isYank;
-}
-
-/// Whether something keeps it from closing a gap that a call left.
-inline bool isStuck(const WorldState& world, const Joint& joint) {
-    return joint.driven != kNotDriven && world.drivenJoints[joint.driven].isStuck;
 }
 
 /// Part of its pull that a joint has; less than 1 if it is torn.

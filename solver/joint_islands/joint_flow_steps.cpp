@@ -78,6 +78,9 @@ constexpr double kStablePhase = 2;
 constexpr double kMostBend = kFineness == 1 ? 1.0 / (1 << 13) : 1.0 / (1 << 19);
 /// Where twice the length does as well.
 constexpr double kSmallBend = kMostBend / 64;
+/// Of a step: in this part of it a motor has to be able to do what brings it to its speed; the rest of its strength is
+/// what it may hold with.
+constexpr double kPartOfJerk = 1.0 / 16;
 /// Each takes away all but what bodies turn by meanwhile.
 constexpr int kMostClosings = 4;
 
@@ -219,8 +222,11 @@ bool JointFlow::advance(double duration, double most, Tremor tremor) {
     double longest = duration;
     begin();
     agree();
-    if (!areWithinStrength(duration)) { return false; }  // that brings motors to their speeds at once
-    for (Drive& drive : drives_) { drive.is.motorTotal = drive.ofMotor; }
+    if (!areWithinStrength(kPartOfJerk * duration)) { return false; }  // that brings motors to their speeds at once
+    for (Drive& drive : drives_) {
+        drive.is.motorTotal = drive.ofMotor;
+        drive.is.most -= std::fabs(drive.ofMotor) / duration;
+    }
     while (left > 0) {
         accelerate(0);
         longest = std::min(longest, 1 / rate(mostPhase));

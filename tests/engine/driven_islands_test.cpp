@@ -117,6 +117,32 @@ TEST(DrivenIslands, AMotorHoldsWhatItsStrengthHolds) {
     }
 }
 
+/// Two arms on motors in a row: the strong one jerks to and fro, the weak one gives no more than it has.
+TEST(DrivenIslands, NoMotorGivesMoreThanItsStrength) {
+    World world = makeWorld(Profile::accurate, 0);
+    const BodyId inner = addBody(world, dynamicAt({0.5, 0}), box(0.5, 0.1));
+    const BodyId outer = addBody(world, dynamicAt({2, 0}), box(1, 0.1));
+    RevoluteJointDef hinge;
+    hinge.base = between(anchorOf(world), inner);
+    hinge.motor = AngularMotor{0, real(1e6)};
+    const JointId strong = must(world.createJoint(hinge));
+    hinge.base = between(inner, outer);
+    hinge.anchor = {1, 0};
+    const double strength = 0.5;
+    hinge.motor = AngularMotor{0, real(strength)};
+    const JointId weak = must(world.createJoint(hinge));
+    double most = 0;
+    for (int i = 0; i < 240; ++i) {
+        if (i % 3 == 0) {
+            must(world.setAngularMotor(strong, AngularMotor{real(i % 2 == 0 ? 0.02 : -0.02), real(1e6)}));
+        }
+        must(world.step(kStep));
+        most = std::max(most, std::abs(static_cast<double>(world.jointTorque(weak))));
+    }
+    expectAtMost("part of its strength", most / strength, 1.0001);
+    EXPECT_GT(most, 0.5 * strength);
+}
+
 /// A block on a spring along the vertical, once on a slider, once as a wheel: s = −g/ω²·(1 − cos ωt).
 TEST(DrivenIslands, SpringsOfSlidersAndWheelsFollowTheirClosedForm) {
     const double rate = 2 * kPi * 1.5;

@@ -158,5 +158,39 @@ TEST(PutElsewhere, WhatASlabKeepsApartComesToRest) {
     }
 }
 
+/// Three boxes in a row on sliders with limits, two of them put far away, and turned: what closes the gaps does not
+/// open them (they were 10⁸ m apart within a second).
+TEST(PutElsewhere, SlidersCloseOrStay) {
+    for (const Profile profile : kProfiles) {
+        for (const double away : {25.0, 60.0, 90.0}) {
+            for (const double turn : {-1.0, 0.5, 2.5}) {
+                World world = makeWorld(profile);
+                addStatic(world, box(400, 0.5), material(0.6), {0, -0.5});
+                std::vector<BodyId> boxes;
+                for (int i = 0; i < 3; ++i) {
+                    boxes.push_back(addBody(world, dynamicAt({2.0 + i, 0.5}), box(0.3, 0.3)));
+                    if (i == 0) { continue; }
+                    PrismaticJointDef slider;
+                    slider.base = between(boxes[boxes.size() - 2], boxes.back());
+                    slider.anchor = {1.5 + i, 0.5};
+                    slider.axis = {1, 0};
+                    slider.limits = TranslationLimits{real(-0.2), real(0.2)};
+                    must(world.createJoint(slider));
+                }
+                run(world, 10);
+                must(world.setPose(boxes[1], {away, 0.5}, turn));
+                must(world.setPose(boxes[2], {away + 1, 0.5}, turn - 1));
+                for (int i = 0; i < 300; ++i) {
+                    must(world.step(kStep));
+                    for (const BodyId id : boxes) {
+                        ASSERT_LT(length(world.position(id)), 200)
+                            << profileName(profile) << ", " << away << " m, " << turn << " rad, step " << i;
+                    }
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace swept::test
