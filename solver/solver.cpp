@@ -1,8 +1,5 @@
 #include "solver.h"
 
-#include <algorithm>
-#include <cstdint>
-#include <limits>
 #include <span>
 #include <type_traits>
 #include <utility>
