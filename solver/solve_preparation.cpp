@@ -67,6 +67,7 @@ void Solver::countJointBlocks(SolveReport& report) const {
     report.slideBlocks = slides_.blockCount();
     report.wheelBlocks = wheels_.blockCount();
     report.weldBlocks = welds_.blockCount();
+    report.driveBlocks = drives_.blockCount();
 }
 
 }  // namespace swept::inline SWEPT_PRECISION

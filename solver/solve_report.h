@@ -40,6 +40,7 @@ struct SolveReport {
     int slideBlocks = 0;    ///< of prismatic joints
     int wheelBlocks = 0;    ///< of wheels
     int weldBlocks = 0;     ///< of welds
+    int driveBlocks = 0;    ///< of motor joints
     int contactBlocks = 0;  ///< of contacts that were solved side by side
     int bounceRounds = 0;   ///< over all sub-steps
     int speedsLimited = 0;  ///< times that `maxSpeed` cut the speed of a body: in a sub-step of halves, of each

@@ -9,6 +9,7 @@
 #include "direct/direct_solver.h"
 #include "graph/constraint_graph.h"
 #include "impacts/impact.h"
+#include "joint_blocks/drive_sort.h"
 #include "joint_blocks/hinge_blocks.h"
 #include "joint_blocks/joint_blocks.h"
 #include "joint_blocks/rod_sort.h"
@@ -111,6 +112,7 @@ private:
     JointBlocks<SlideSort>& blocksOf(const std::vector<PrismaticConstraint>&) { return slides_; }
     JointBlocks<WheelSort>& blocksOf(const std::vector<WheelConstraint>&) { return wheels_; }
     JointBlocks<WeldSort>& blocksOf(const std::vector<WeldConstraint>&) { return welds_; }
+    JointBlocks<DriveSort>& blocksOf(const std::vector<MotorConstraint>&) { return drives_; }
     template <class Joints>
     static constexpr bool standInBlocks() {
         return requires(Solver & solver, const Joints& joints) { solver.blocksOf(joints); };
@@ -122,6 +124,7 @@ private:
         visit(slides_);
         visit(wheels_);
         visit(welds_);
+        visit(drives_);
     }
     void buildJointBlocks(SolverBatch& batch, bool isWide, TaskSystem& ofManyHinges);
     void countJointBlocks(SolveReport& report) const;
@@ -159,6 +162,7 @@ private:
     JointBlocks<SlideSort> slides_;
     JointBlocks<WheelSort> wheels_;
     JointBlocks<WeldSort> welds_;
+    JointBlocks<DriveSort> drives_;
     DirectSolver direct_;
     JointIslands islands_;
     UndoneIslands undone_;

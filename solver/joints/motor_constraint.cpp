@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../wide/wide_drives.h"
 #include "pin.h"
 
 namespace swept::inline SWEPT_PRECISION {
+
+#ifndef SWEPT_SIMD
+const DriveKernels* driveKernels() { return nullptr; }
+#endif
+
 namespace {
 
 /// Where others hold the bodies as well, what seeks a pose gives way under its load. @param response  1/(kg·m²)
@@ -24,15 +30,14 @@ bool goesOn(const MotorConstraint& joint, Vec2 excess) {
 }
 
 void driveLine(MotorConstraint& joint, const JointPair& pair, bool useBias) {
-    const HeldRows point =
-        heldPoint(pair, rotate(pair.a.deltaRotation, joint.anchorA), rotate(pair.b.deltaRotation, joint.anchorB));
-    if (useBias) { easeLine(joint, point.matrix); }
-    const Vec2 excess = speedsOf(point, pair) - joint.velocity;
+    const Pin pin = pinOf(joint, pair);
+    if (useBias) { easeLine(joint, pin.matrix); }
+    const Vec2 excess = speedsOf(pin, pair) - joint.velocity;
     if (goesOn(joint, excess)) { return; }
-    Vec2 total = joint.linearImpulse - solve(point.matrix, excess);
+    Vec2 total = joint.linearImpulse - solve(pin.matrix, excess);
     const UnitAndLength wanted = normalized(total);
     if (wanted.length > joint.maxLinearImpulse) { total = joint.maxLinearImpulse * wanted.unit; }
-    apply(point, pair, total - joint.linearImpulse);
+    pushOnly(pin, pair, total - joint.linearImpulse);
     joint.linearImpulse = total;
 }
 
@@ -54,7 +59,7 @@ void driveBesideHinge(MotorConstraint& joint, const JointPair& pair, bool useBia
     if (!(spin.mass > 0)) { return; }
     if (useBias) { easeAngle(joint, 1 / spin.mass); }
     const Real change =
-        motorChange(spin.mass, speedOf(kSpinRow, pair), joint.spin, joint.angularImpulse, joint.maxAngularImpulse);
+        motorChange(spin.mass, speedOfSpin(pair), joint.spin, joint.angularImpulse, joint.maxAngularImpulse);
     joint.angularImpulse += change;
     joint.hinge.guided += change;
     turn(pair, change);
@@ -71,17 +76,17 @@ void warmStartHinge(MotorConstraint& joint, const JointPair& pair) {
 }
 
 void driveAngle(MotorConstraint& joint, const JointPair& pair, bool useBias) {
-    const Real turn = turnOf(pair);
-    if (!(turn > 0)) { return; }
+    const Real response = turnOf(pair);
+    if (!(response > 0)) { return; }
     if (joint.hinge.isThere) {
         driveBesideHinge(joint, pair, useBias);
         return;
     }
-    if (useBias) { easeAngle(joint, turn); }
+    if (useBias) { easeAngle(joint, response); }
     const Real change =
-        motorChange(1 / turn, speedOf(kSpinRow, pair), joint.spin, joint.angularImpulse, joint.maxAngularImpulse);
+        motorChange(1 / response, speedOfSpin(pair), joint.spin, joint.angularImpulse, joint.maxAngularImpulse);
     joint.angularImpulse += change;
-    apply(kSpinRow, pair, change);
+    turn(pair, change);
 }
 
 void solveOne(MotorConstraint& joint, const JointPair& pair, Real h, bool useBias) {
@@ -94,13 +99,13 @@ void solveOne(MotorConstraint& joint, const JointPair& pair, Real h, bool useBia
 }  // namespace
 
 void aimDrive(MotorConstraint& joint, const JointPair& pair, Real h) {
-    if (joint.seeksPlace) {
+    if (joint.drivesLine && joint.seeksPlace) {
         const UnitAndLength away = normalized(anchorOffset(joint, pair.a, pair.b));
         const Real inverseMass = pair.inertiaA.inverseMass + pair.inertiaB.inverseMass;
         const Real acceleration = joint.maxLinearImpulse / h * inverseMass;
         joint.velocity = -approachSpeed(away.length, joint.approachRate, acceleration) * away.unit;
     }
-    if (joint.seeksAngle) {
+    if (joint.drivesAngle && joint.seeksAngle) {
         const Real angle = joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle);
         const Real acceleration = joint.maxAngularImpulse / h * turnOf(pair);
         joint.spin = std::copysign(approachSpeed(std::fabs(angle), joint.approachRate, acceleration), -angle);
@@ -119,9 +124,8 @@ void warmStart(std::span<MotorConstraint> joints, const SolverBodies& bodies) {
         BodyState a = bodies.states[joint.slotA];
         BodyState b = bodies.states[joint.slotB];
         const JointPair pair{a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]};
-        apply(heldPoint(pair, rotate(a.deltaRotation, joint.anchorA), rotate(b.deltaRotation, joint.anchorB)), pair,
-              joint.linearImpulse);
-        apply(kSpinRow, pair, joint.angularImpulse);
+        if (joint.drivesLine) { pushOnly(pinOf(joint, pair), pair, joint.linearImpulse); }
+        if (joint.drivesAngle) { turn(pair, joint.angularImpulse); }
         warmStartHinge(joint, pair);
         storePair(bodies, joint.slotA, a, joint.slotB, b);
     }

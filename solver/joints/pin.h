@@ -26,17 +26,22 @@ inline Vec2 speedsOf(const Pin& pin, const JointPair& pair) {
             moving.y + pin.armB.x * pair.b.angularVelocity - pin.armA.x * pair.a.angularVelocity};
 }
 
-template <class Joint>
-void push(Joint& joint, const Pin& pin, const JointPair& pair, Vec2 impulse) {
+/// What is not to be added up.
+inline void pushOnly(const Pin& pin, const JointPair& pair, Vec2 impulse) {
     pair.a.velocity -= pair.inertiaA.inverseMass * impulse;
     pair.b.velocity += pair.inertiaB.inverseMass * impulse;
     pair.a.angularVelocity += pair.inertiaA.inverseInertia * pin.armA.y * impulse.x;
     pair.a.angularVelocity -= pair.inertiaA.inverseInertia * pin.armA.x * impulse.y;
     pair.b.angularVelocity -= pair.inertiaB.inverseInertia * pin.armB.y * impulse.x;
     pair.b.angularVelocity += pair.inertiaB.inverseInertia * pin.armB.x * impulse.y;
+}
+template <class Joint>
+void push(Joint& joint, const Pin& pin, const JointPair& pair, Vec2 impulse) {
+    pushOnly(pin, pair, impulse);
     joint.linearImpulse += impulse;
 }
 
+inline Real speedOfSpin(const JointPair& pair) { return pair.b.angularVelocity - pair.a.angularVelocity; }
 /// Turns the bodies, and leaves the point to itself.
 inline void turn(const JointPair& pair, Real impulse) {
     pair.a.angularVelocity -= pair.inertiaA.inverseInertia * impulse;

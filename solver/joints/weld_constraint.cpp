@@ -18,8 +18,6 @@ Real angleOf(const WeldConstraint& joint, const JointPair& pair) {
     return joint.baseAngle + (pair.b.deltaAngle - pair.a.deltaAngle);
 }
 
-Real speedOfSpin(const JointPair& pair) { return pair.b.angularVelocity - pair.a.angularVelocity; }
-
 void turnBy(WeldConstraint& joint, const JointPair& pair, Real twist) {
     joint.angularImpulse += twist;
     turn(pair, twist);

@@ -22,6 +22,8 @@ const RodKernels* kernelsForRods() { return nullptr; }
 HWY_BEFORE_NAMESPACE();
 #include "wide_bodies.inc"
 #include "wide_joints.inc"
+// after it
+#include "wide_lengths.inc"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace HWY_NAMESPACE {
@@ -30,53 +32,6 @@ using namespace SWEPT_GROUP;
 
 // Every function here does what its scalar twin in distance_constraint.cpp does, in the same order. Signs are moved
 // only where that is exact.
-
-struct UnitLanes {
-    Pair unit;
-    Lanes length;
-};
-
-/// `normalized`; of a vector of no length the direction is no number.
-HWY_INLINE UnitLanes normalizedLanes(const Pair& v) {
-#ifdef SWEPT_F64
-    const Tag tag;
-    const Lanes squared = hn::Add(hn::Mul(v.x, v.x), hn::Mul(v.y, v.y));
-    constexpr Real kSafe = Real(0x1p500L);
-    const LaneMask isSafe = hn::And(hn::Lt(squared, hn::Set(tag, kSafe)), hn::Gt(squared, hn::Set(tag, 1 / kSafe)));
-    const LaneMask isNothing = hn::And(hn::Eq(v.x, hn::Zero(tag)), hn::Eq(v.y, hn::Zero(tag)));
-    if (hn::AllTrue(tag, hn::Or(isSafe, isNothing))) {
-        const Lanes size = hn::Sqrt(squared);
-        return {{hn::Div(v.x, size), hn::Div(v.y, size)}, size};
-    }
-    alignas(kBlockBytes) LaneArray x;
-    alignas(kBlockBytes) LaneArray y;
-    alignas(kBlockBytes) LaneArray length;
-    put(v.x, x, 0);
-    put(v.y, y, 0);
-    for (std::size_t i = 0; i < kGroup; ++i) {
-        const UnitAndLength one = normalized({x[i], y[i]});
-        x[i] = one.unit.x;
-        y[i] = one.unit.y;
-        length[i] = one.length;
-    }
-    return {{lanesAt(x, 0), lanesAt(y, 0)}, lanesAt(length, 0)};
-#else
-    const Tag tag;
-    const hn::Half<Tag> half;
-    const hn::Repartition<double, Tag> wide;
-    const auto lowX = hn::PromoteTo(wide, hn::LowerHalf(half, v.x));
-    const auto lowY = hn::PromoteTo(wide, hn::LowerHalf(half, v.y));
-    const auto highX = hn::PromoteTo(wide, hn::UpperHalf(half, v.x));
-    const auto highY = hn::PromoteTo(wide, hn::UpperHalf(half, v.y));
-    const auto low = hn::Sqrt(hn::Add(hn::Mul(lowX, lowX), hn::Mul(lowY, lowY)));
-    const auto high = hn::Sqrt(hn::Add(hn::Mul(highX, highX), hn::Mul(highY, highY)));
-    const auto joined = [&](auto ofHigh, auto ofLow) {
-        return hn::Combine(tag, hn::DemoteTo(half, ofHigh), hn::DemoteTo(half, ofLow));
-    };
-    return {{joined(hn::Div(highX, high), hn::Div(lowX, low)), joined(hn::Div(highY, high), hn::Div(lowY, low))},
-            joined(high, low)};
-#endif
-}
 
 class RodGroup : JointGroup<WideRod> {
 public:

@@ -35,8 +35,8 @@ struct RandomSolve {
             addJoints(batch.welds, [this](auto& joint) { fill(joint); });
             addJoints(batch.prismatics, [this](auto& joint) { fill(joint); });
             addJoints(batch.wheels, [this](auto& joint) { fill(joint); });
+            addJoints(batch.motors, [this](auto& joint) { fill(joint); });
         }
-        addJoints(batch.motors, [this](auto& joint) { fill(joint); });
         addJoints(batch.mice, [this](auto& joint) { fill(joint); });
         addJoints(batch.gears, [this](auto& joint) { fill(joint); });
         addJoints(batch.pulleys, [this](auto& joint) { fill(joint); });
@@ -184,6 +184,7 @@ private:
         joint.drivesAngle = random_.chance(0.8);
         joint.seeksPlace = random_.chance(0.5);
         joint.seeksAngle = random_.chance(0.5);
+        joint.ease = random_.chance(0.5) ? number(0, 0.3) : Real(0);
     }
     void fill(MouseConstraint& joint) {
         joint.slotA = kFixedSlot;

@@ -53,6 +53,7 @@ struct BlockCounts {
     int slides = 0;
     int wheels = 0;
     int welds = 0;
+    int drives = 0;
 };
 
 BlockCounts expectSameBits(int times, std::uint64_t seeds) {
@@ -77,7 +78,7 @@ BlockCounts expectSameBits(int times, std::uint64_t seeds) {
             forgetPrepared(wide.batch);
         }
         EXPECT_EQ(ofNarrow.contactBlocks + ofNarrow.hingeBlocks + ofNarrow.rodBlocks, 0);
-        EXPECT_EQ(ofNarrow.slideBlocks + ofNarrow.wheelBlocks + ofNarrow.weldBlocks, 0);
+        EXPECT_EQ(ofNarrow.slideBlocks + ofNarrow.wheelBlocks + ofNarrow.weldBlocks + ofNarrow.driveBlocks, 0);
         EXPECT_EQ(ofNarrow.bounceRounds, ofWide.bounceRounds) << "seed " << seed;
         EXPECT_EQ(bitsOf(narrow.batch), bitsOf(wide.batch)) << "seed " << seed;
         if (testing::Test::HasFailure()) { break; }
@@ -87,6 +88,7 @@ BlockCounts expectSameBits(int times, std::uint64_t seeds) {
         blocks.slides += ofWide.slideBlocks;
         blocks.wheels += ofWide.wheelBlocks;
         blocks.welds += ofWide.weldBlocks;
+        blocks.drives += ofWide.driveBlocks;
     }
     return blocks;
 }
@@ -275,8 +277,9 @@ TEST_P(WideContacts, GiveTheBitsOfContactsOneByOne) {
     const BlockCounts blocks = expectSameBits(16, 60);
     EXPECT_GT(blocks.contacts, 600);  // of sixteen lanes in float: fewer than when there were eight
     EXPECT_GT(blocks.hinges, 150);
-    // Where there are no doubles side by side, rods have no kernel.
+    // Where there are no doubles side by side, rods and motor joints have no kernel.
     EXPECT_EQ(blocks.rods > 100, rodKernels() != nullptr);
+    EXPECT_EQ(blocks.drives > 50, driveKernels() != nullptr);
     EXPECT_GT(blocks.slides, 50);
     EXPECT_GT(blocks.wheels, 50);
     EXPECT_GT(blocks.welds, 50);
