@@ -5,9 +5,16 @@
 
 namespace swept::inline SWEPT_PRECISION {
 
-/// As many welds without springs as there are lanes; see `WeldConstraint`.
+/// Which parts of a weld are springs. All of a block have the same.
+struct WeldParts {
+    bool hasLinearSpring = false;
+    bool hasAngularSpring = false;
+};
+
+/// As many welds as there are lanes, all with the same parts; see `WeldConstraint`.
 struct WideWeld : WideJoint {
-    LaneArray baseAngle;
+    WeldParts parts;
+    alignas(kBlockBytes) LaneArray baseAngle;
     // As the bodies stand: changes only when they move.
     LaneArray armAX;
     LaneArray armAY;
@@ -22,6 +29,22 @@ struct WideWeld : WideJoint {
     LaneArray spinMass;  ///< of the angle while the point is held
     LaneArray answerX;   ///< of the point to a twist
     LaneArray answerY;
+    // The spring of the point, as A stands at the start of the step, and of the angle: not of rigid ones.
+    LaneArray stiffnessXX;
+    LaneArray stiffnessXY;
+    LaneArray stiffnessYY;
+    LaneArray stiffnessDeterminant;
+    LaneArray springLoss;
+    LaneArray springRate;
+    LaneArray anglePush;
+    LaneArray angleDrag;
+    LaneArray angleLag;
+    // As the bodies stand.
+    LaneArray springPush;
+    LaneArray springDrag;
+    LaneArray springLag;
+    LaneArray pushX;  ///< impulse of the spring of the point
+    LaneArray pushY;
     // Accumulated.
     LaneArray impulseX;
     LaneArray impulseY;
