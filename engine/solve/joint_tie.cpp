@@ -45,6 +45,8 @@ struct SoftJoints {
 bool isSoft(const Joint& joint) { return std::visit(SoftJoints{}, joint.parts); }
 
 bool hasDrives(const Joint& joint) {
+    const auto* const weld = std::get_if<JointPart<WeldJointDef, WeldConstraint>>(&joint.parts);
+    if (weld != nullptr) { return weld->def.angularSpring && !weld->def.linearSpring; }
     const JointType type = joint.type();
     const bool mayBe = type == JointType::revolute || type == JointType::prismatic || type == JointType::wheel;
     return mayBe && !isPlain(joint);

@@ -18,7 +18,7 @@ struct IslandLoad {
     std::uint32_t limitedHinges = 0;
     std::uint32_t plainJoints = 0;       ///< rigid, without springs, limits and motors
     std::uint32_t softJoints = 0;        ///< rods and welds that hold nothing rigidly
-    std::uint32_t jointsWithDrives = 0;  ///< hinges, sliders and wheels that have some
+    std::uint32_t jointsWithDrives = 0;  ///< `JointTie::hasDrives`
     bool isAnchored = false;             ///< a joint ties it to what is not dynamic
     bool hasLoop = false;                ///< joints between some of its bodies, and the ground, close one
     bool hasWideLoop = false;            ///< not all chains that do are `JointChain::isThin`

@@ -137,7 +137,7 @@ struct JointTie {
     bool isHinge : 1 = false;
     bool isPlain : 1 = false;           ///< holds what it holds rigidly, and does nothing else
     bool isSoft : 1 = false;            ///< a rod or a weld that holds nothing rigidly
-    bool hasDrives : 1 = false;         ///< a hinge, slider or wheel that has limits, a motor or a spring
+    bool hasDrives : 1 = false;         ///< drives what it leaves free: see `DirectScope::islandsWithDrives`
     bool isPassive : 1 = false;         ///< does nothing that gives energy, but for what its springs held
     bool isPowered : 1 = false;         ///< does what takes or gives energy: what it holds keeps none
     bool holdsAngle : 1 = false;        ///< of its bodies to each other, rigidly

@@ -11,7 +11,8 @@ namespace swept::inline SWEPT_PRECISION {
 enum class DirectScope : std::uint8_t {
     none,
     islands,            ///< islands of rigid joints and nothing else, each on its own (`JointIslands`)
-    islandsWithDrives,  ///< likewise, where hinges, sliders and wheels may have springs, limits and motors
+    islandsWithDrives,  ///< likewise, where hinges, sliders and wheels may have springs, limits and motors, and
+                        ///< welds springs that hold their angle
     softJoints,         ///< nothing, as long as there are no contacts; but drives are halved as with `freeJoints`
     freeJoints,         ///< what joints hold rigidly, as long as there are no contacts
     joints,             ///< what joints hold rigidly

@@ -139,6 +139,15 @@ JointDrives drivesOf(const SolverBatch& batch, const RevoluteConstraint& joint, 
     return drives;
 }
 
+JointDrives drivesOf(const SolverBatch& batch, const WeldConstraint& joint, const DrivenStep& step) {
+    JointDrives drives;
+    IslandDrive& turn = drives.turn.emplace();
+    turn.place = static_cast<double>(joint.baseAngle);
+    setBodies(turn, batch.inertias[joint.slotA], batch.inertias[joint.slotB]);
+    drives.areSmooth = takeSpring(turn, joint.angularSpring, step);
+    return drives;
+}
+
 namespace {
 
 /// Along an axis, now.

@@ -25,5 +25,7 @@ struct JointDrives {
 JointDrives drivesOf(const SolverBatch& batch, const RevoluteConstraint& joint, const DrivenStep& step);
 JointDrives drivesOf(const SolverBatch& batch, const PrismaticConstraint& joint, const DrivenStep& step);
 JointDrives drivesOf(const SolverBatch& batch, const WheelConstraint& joint, const DrivenStep& step);
+/// @pre the spring holds its angle, and nothing its point
+JointDrives drivesOf(const SolverBatch& batch, const WeldConstraint& joint, const DrivenStep& step);
 
 }  // namespace swept::inline SWEPT_PRECISION

@@ -103,7 +103,7 @@ public:
 
     void operator()(RevoluteConstraint& joint) {
         addPoint(joint, joint.linearImpulse);
-        addDrives(drivesOf(batch_, joint, step_), joint, joint.motorImpulse);
+        addDrives(drivesOf(batch_, joint, step_), drivenBy(joint, joint.motorImpulse));
     }
     void operator()(DistanceConstraint& joint) {
         IslandHold& hold = add(joint, IslandHold::Kind::rod, joint.rigidImpulse);
@@ -119,16 +119,20 @@ public:
     }
     void operator()(PrismaticConstraint& joint) {
         addSide(joint, joint.heldImpulse.x);
-        addDrives(drivesOf(batch_, joint, step_), joint, joint.motorImpulse);
+        addDrives(drivesOf(batch_, joint, step_), drivenBy(joint, joint.motorImpulse));
         addAngle(joint, joint.heldImpulse.y);
     }
     void operator()(WheelConstraint& joint) {
         addSide(joint, joint.heldImpulse.x);
-        addDrives(drivesOf(batch_, joint, step_), joint.suspension, joint.motorImpulse);
+        addDrives(drivesOf(batch_, joint, step_), drivenBy(joint.suspension, joint.motorImpulse));
     }
     void operator()(WeldConstraint& joint) {
         addPoint(joint, joint.linearImpulse);
-        addAngle(joint, joint.angularImpulse);
+        if (joint.hasAngularSpring) {
+            addDrives(drivesOf(batch_, joint, step_), {.springImpulse = &joint.angularImpulse});
+        } else {
+            addAngle(joint, joint.angularImpulse);
+        }
     }
 
 private:
@@ -169,8 +173,12 @@ private:
         add(joint, IslandHold::Kind::angle, impulse).rest = static_cast<double>(joint.baseAngle);
     }
 
-    /// To the hold that was added last. @param motorImpulse  of a motor of either
-    void addDrives(const JointDrives& drives, FreedomParts& parts, Real& motorImpulse) {
+    /// @param motorImpulse  of a motor along either way
+    static JointIslands::DriveSource drivenBy(FreedomParts& parts, Real& motorImpulse) {
+        return {.motorImpulse = &motorImpulse, .springImpulse = &parts.springImpulse, .limits = &parts};
+    }
+    /// To the hold that was added last.
+    void addDrives(const JointDrives& drives, JointIslands::DriveSource source) {
         if (!drives.turn && !drives.slide) { return; }
         JointIsland& island = islands_.parts_[islands_.sources_.back().part];
         IslandHold& hold = island.holds().back();
@@ -183,9 +191,9 @@ private:
         if (!drives.areSmooth || !mayFlow(hold.a) || !mayFlow(hold.b)) { island.refuse(); }
         for (const std::optional<IslandDrive>* drive : {&drives.slide, &drives.turn}) {
             if (!*drive) { continue; }
-            islands_.driveSources_.push_back({islands_.sources_.back().part,
-                                              static_cast<std::uint32_t>(island.drives().size()), &motorImpulse,
-                                              &parts});
+            source.part = islands_.sources_.back().part;
+            source.drive = static_cast<std::uint32_t>(island.drives().size());
+            islands_.driveSources_.push_back(source);
             island.drives().push_back(**drive);
             ++hold.drives;
         }
@@ -266,9 +274,10 @@ void JointIslands::readBack(SolverBatch& batch, int subSteps) {
         JointIsland& island = parts_[source.part];
         if (island.isUndone()) { continue; }
         const IslandDrive& drive = island.drives()[source.drive];
-        *source.motorImpulse = static_cast<Real>(drive.motorTotal / subSteps);  // of a wheel its turn comes last
-        if (drive.hasSpring) { source.parts->springImpulse = static_cast<Real>(drive.springTotal / subSteps); }
-        if (drive.hasLimits) { source.parts->lowerImpulse = source.parts->upperImpulse = 0; }
+        // Of a wheel its turn comes last.
+        if (source.motorImpulse != nullptr) { *source.motorImpulse = static_cast<Real>(drive.motorTotal / subSteps); }
+        if (drive.hasSpring) { *source.springImpulse = static_cast<Real>(drive.springTotal / subSteps); }
+        if (drive.hasLimits) { source.limits->lowerImpulse = source.limits->upperImpulse = 0; }
     }
 }
 

@@ -14,11 +14,12 @@ namespace swept::inline SWEPT_PRECISION {
 
 /// Takes the islands of a batch that consists of rigid joints alone through a step, each on its own: neither contacts
 /// nor neighbours have a part in it. Hinges, sliders and wheels of islands without loops may have springs, limits and
-/// motors: those that may not go on smoothly through the step are left as they are.
+/// motors, and welds springs that hold the angle: those that may not go on smoothly through the step are left as they
+/// are.
 class JointIslands {
 public:
-    /// @pre no contacts; all joints are hinges, rods, welds, sliders, and wheels, rigid in what they hold. Drives of
-    /// bodies are those of half a sub-step.
+    /// @pre no contacts; all joints are hinges, rods, welds, sliders, and wheels, rigid in the points that they hold.
+    /// Drives of bodies are those of half a sub-step.
     void solve(SolverBatch& batch, Real h, int subSteps, TaskSystem& loops, SolveReport& report);
     /// Of what can be moved, in the last solve: whether joints that could not all hold gave way in an island that hangs
     /// on nothing. What that gained nobody took back: it goes as a whole, too, which here is no concern.
@@ -43,7 +44,8 @@ private:
         std::uint32_t part = 0;
         std::uint32_t drive = 0;
         Real* motorImpulse = nullptr;
-        FreedomParts* parts = nullptr;
+        Real* springImpulse = nullptr;
+        FreedomParts* limits = nullptr;
     };
     /// Where the impulses of a hold come from and go to.
     struct Source {

@@ -199,6 +199,58 @@ TEST(DrivenIslands, WhatWhirlsOnASpringKeepsItsEnergy) {
     EXPECT_GT(farthest, 0.3);
 }
 
+void expectSame(const World& one, BodyId a, const World& other, BodyId b) {
+    EXPECT_EQ(one.position(a), other.position(b));
+    EXPECT_EQ(one.angle(a), other.angle(b));
+    EXPECT_EQ(one.velocity(a), other.velocity(b));
+    EXPECT_EQ(one.angularVelocity(a), other.angularVelocity(b));
+}
+
+/// Four bars that stand out from the ground; b of each joint is the outer one.
+template <class Def>
+struct BentBar {
+    World world = makeWorld(Profile::accurate);
+    std::vector<BodyId> bars;
+    std::vector<JointId> joints;
+
+    /// @param def  all but its bodies and its anchor
+    explicit BentBar(Def def) {
+        BodyId last = anchorOf(world);
+        for (int i = 0; i < 4; ++i) {
+            bars.push_back(addBody(world, dynamicAt({i + 0.5, 0}), box(0.5, 0.1)));
+            def.base = between(last, bars.back());
+            def.anchor = {static_cast<double>(i), 0};
+            joints.push_back(must(world.createJoint(def)));
+            last = bars.back();
+        }
+    }
+};
+
+/// A weld whose angle is a spring leaves free what a hinge does.
+TEST(DrivenIslands, WeldsThatBendAreHingesWithThatSpring) {
+    const Spring spring{4, real(0.1)};
+    RevoluteJointDef hinge;
+    hinge.spring = spring;
+    WeldJointDef weld;
+    weld.angularSpring = spring;
+    BentBar hinged(hinge);
+    BentBar welded(weld);
+    double lowest = 0;
+    for (int i = 0; i < 240; ++i) {
+        must(hinged.world.step(kStep));
+        must(welded.world.step(kStep));
+        EXPECT_LE(welded.world.counters().mostSubSteps, 2U);
+        for (std::size_t k = 0; k < 4; ++k) {
+            expectSame(hinged.world, hinged.bars[k], welded.world, welded.bars[k]);
+            EXPECT_EQ(hinged.world.jointForce(hinged.joints[k]), welded.world.jointForce(welded.joints[k]));
+            EXPECT_EQ(hinged.world.jointTorque(hinged.joints[k]), welded.world.jointTorque(welded.joints[k]));
+        }
+        lowest = std::min(lowest, welded.world.position(welded.bars.back()).y);
+    }
+    EXPECT_LT(lowest, -1) << "it bends";
+    EXPECT_GT(std::abs(welded.world.jointTorque(welded.joints[0])), 1);
+}
+
 /// Nothing is held all at once where nothing is rigid; but gravity acts half before and half after each motion, so that
 /// what flies on a spring falls as a body does.
 TEST(DrivenIslands, WhatFliesOnASpringFallsByTheParabola) {
@@ -263,13 +315,6 @@ struct Machines {
         return right;
     }
 };
-
-void expectSame(const World& one, BodyId a, const World& other, BodyId b) {
-    EXPECT_EQ(one.position(a), other.position(b));
-    EXPECT_EQ(one.angle(a), other.angle(b));
-    EXPECT_EQ(one.velocity(a), other.velocity(b));
-    EXPECT_EQ(one.angularVelocity(a), other.angularVelocity(b));
-}
 
 /// Each goes as it would alone, to the bit, however the others are solved.
 TEST(DrivenIslands, ThoseThatAreLeftDisturbNoOther) {
