@@ -60,6 +60,7 @@ struct ShapeDef {
     Filter filter{};
     std::uint64_t userData = 0;
     std::uint64_t material = 0;  ///< as of `Surface`
+    constexpr bool operator==(const ShapeDef&) const = default;
 };
 
 constexpr Surface surfaceOf(const ShapeDef& def) {

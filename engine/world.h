@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../shapes/chain.h"
+#include "../shapes/hull.h"
 #include "../shapes/polygon.h"
 #include "../shapes/status.h"
 #include "../shapes/transform.h"
@@ -72,6 +73,8 @@ public:
     /// "broadphase" when another one is asked for while the world has shapes.
     Status configure(const WorldSettings& settings);
     const WorldSettings& settings() const;
+    /// m/s²; all other settings stay. Wakes all that fell asleep, where it is another one. Errors: as of configure.
+    Status setGravity(Vec2 gravity);
     /// Where parallel loops run; null: on the calling thread. Must outlive the world or its replacement.
     void setTaskSystem(TaskSystem* tasks);
     /// Who else decides which shapes may touch (contact_filter.h); null: nobody. Must outlive the world, its copies, or
@@ -117,11 +120,20 @@ public:
     /// setEnabled).
     /// Errors: as of createBody; `wrongBodyType` with "type" where it has chains and would be dynamic.
     Status redefine(BodyId id, const BodyDef& def);
+    /// Changes some members of the definition of a body, shape or joint, and redefines it:
+    /// `world.modify(id, [](BodyDef& def) { def.gravityScale = 0; })`. Errors: as of redefine.
+    template <class Id, class Change>
+    Status modify(Id id, const Change& change) {
+        auto def = definition(id);
+        change(def);
+        return redefine(id, def);
+    }
     /// Teleports a body of any type, its origin to `position` (world, metres) and turned to `angle` (rad): contacts
     /// end, and begin anew where it is. Wakes the body and what it touched. What is to push others on its way (a lift)
     /// is given a velocity instead: a static body that is put into one that sleeps does not wake it. Joints pull the
     /// rest of a jointed group after it, at any speed.
     Status setPose(BodyId id, DVec2 position, double angle);
+    Status setPose(BodyId id, DVec2 position) { return setPose(id, position, angle(id)); }  ///< as it is turned now
     /// Of the centre of mass, m/s, and rad/s; wakes the body. Errors: `wrongBodyType` of static bodies; `outOfRange`
     /// with "angularVelocity" where rotation is fixed.
     Status setVelocity(BodyId id, Vec2 velocity, Real angularVelocity);
@@ -133,6 +145,7 @@ public:
     /// `notPositive` dt; `outOfRange` with "position" or "angle" where that is farther than a body may be fast; as of
     /// setVelocity.
     Status driveTo(BodyId id, DVec2 position, double angle, double dt);
+    Status driveTo(BodyId id, DVec2 position, double dt) { return driveTo(id, position, angle(id), dt); }
     /// What is disabled takes no part: it does not move, meets nothing, no query finds it (but for those about one
     /// shape), and its joints are off. It keeps its id, shapes, joints, pose and velocities, all of which may be
     /// changed meanwhile. To disable it ends its contacts, forgets its forces, and wakes what touched it and what its
@@ -205,6 +218,11 @@ public:
     /// counts as another filter. The segments of a chain keep surfaces of their own unless `def` has another surface
     /// than `definition` tells: then all have that. Errors: of `def` as of addShape.
     Status redefine(ShapeId id, const ShapeDef& def);
+    /// Another geometry of the same shape, which keeps its id and definition: what crouches, or grows. Mass and centre
+    /// are those of the new one, the velocity stays that of each point. All its contacts end, and those that it has now
+    /// begin in the next step; wakes the body and what it touched. Errors: as of addShape; `notConvex` with "shape" of
+    /// a chain.
+    Status reshape(ShapeId id, const Polygon& polygon);
     /// Segments of a chain, in the order of its points: what has a `segment` names one of them, from 0. Of other shapes
     /// 1, of a stale id 0.
     std::uint32_t segmentCount(ShapeId id) const;
@@ -245,6 +263,8 @@ public:
     /// As it was made, with the points of that time, and what setters changed since. (A gear names the bodies that it
     /// found.) Of a stale id a hinge of no bodies.
     AnyJointDef definition(JointId id) const;
+    BodyId bodyA(JointId id) const;  ///< the null id of a stale one
+    BodyId bodyB(JointId id) const;
     /// Gives a joint another definition of its kind, and touches only what is other in it: limits, motors, springs,
     /// lengths, drives and targets as their setters do, strengths, ratios, `collideConnected`, break limits,
     /// `userData`. Its bodies, points, axes, reference angles, geared joints and the rope of a pulley stay, whatever

@@ -23,6 +23,9 @@ constexpr DVec2& operator-=(DVec2& a, DVec2 b) { return a = a - b; }
 constexpr DVec2& operator*=(DVec2& a, double s) { return a = s * a; }
 constexpr double dot(DVec2 a, DVec2 b) { return a.x * b.x + a.y * b.y; }
 constexpr double cross(DVec2 a, DVec2 b) { return a.x * b.y - a.y * b.x; }
+/// `a` turned by +90°.
+constexpr DVec2 leftPerp(DVec2 a) { return {-a.y, a.x}; }
+constexpr double lengthSquared(DVec2 a) { return dot(a, a); }
 inline double length(DVec2 a) { return std::sqrt(dot(a, a)); }
 inline bool isFinite(DVec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
 

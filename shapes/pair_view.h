@@ -52,7 +52,6 @@ constexpr int faceCount(const Polygon& p) { return p.count < 2 ? 0 : p.count; }
 inline double sumNorm(DVec2 v) { return std::fabs(v.x) + std::fabs(v.y); }
 
 /// Turned by +90° and −90°.
-constexpr DVec2 leftPerp(DVec2 v) { return {-v.y, v.x}; }
 constexpr DVec2 rightPerp(DVec2 v) { return {v.y, -v.x}; }
 
 /// `v` divided by its length. @pre v is not zero and its square neither overflows nor underflows.

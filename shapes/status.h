@@ -104,7 +104,10 @@ public:
     constexpr Status status() const { return status_; }
 
     /// The value; on failure a default-constructed one (a null id is refused by every call that takes an id).
-    constexpr const T& value() const { return value_; }
+    constexpr const T& value() const& { return value_; }
+    /// Of a result that nobody keeps: the value itself, so that `const T& value = call().value()` is no dangling
+    /// reference.
+    constexpr T value() && { return std::move(value_); }
 
 private:
     T value_{};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 
 #include "dvec2.h"
 #include "real.h"
@@ -58,5 +59,18 @@ inline bool isFinite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); 
 constexpr DVec2 toDouble(Vec2 a) { return {static_cast<double>(a.x), static_cast<double>(a.y)}; }
 /// Rounds to `Real`: use on differences of positions, never on positions.
 constexpr Vec2 toReal(DVec2 a) { return {static_cast<Real>(a.x), static_cast<Real>(a.y)}; }
+
+// A position and a way from it.
+constexpr DVec2 operator+(DVec2 position, Vec2 way) { return position + toDouble(way); }
+constexpr DVec2 operator-(DVec2 position, Vec2 way) { return position - toDouble(way); }
+/// A template, so that `position += {1, 2}` stays in double.
+template <std::same_as<Vec2> Way>
+constexpr DVec2& operator+=(DVec2& position, Way way) {
+    return position = position + way;
+}
+template <std::same_as<Vec2> Way>
+constexpr DVec2& operator-=(DVec2& position, Way way) {
+    return position = position - way;
+}
 
 }  // namespace swept::inline SWEPT_PRECISION

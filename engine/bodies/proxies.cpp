@@ -70,12 +70,16 @@ void removeProxy(WorldState& world, std::uint32_t slot) {
     world.thinnestWall.reset();
 }
 
-void removeShapeSlot(WorldState& world, std::uint32_t slot) {
+void emptyShapeSlot(WorldState& world, std::uint32_t slot) {
     removeProxy(world, slot);
     discountTraits(world, slot);
     world.chainShapes -= world.shapes[slot].isChainSegment ? 1U : 0U;
     std::erase_if(world.crossed,
                   [slot](const ChainPasser& passer) { return passer.shape == slot || passer.segment == slot; });
+}
+
+void removeShapeSlot(WorldState& world, std::uint32_t slot) {
+    emptyShapeSlot(world, slot);
     world.shapes.erase(world.shapes.idOf(slot));
 }
 

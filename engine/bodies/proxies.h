@@ -19,7 +19,9 @@ void discountTraits(WorldState& world, std::uint32_t shape);
 Status addProxy(WorldState& world, std::uint32_t shape);
 /// No effect on those that have none. @pre it has no contacts
 void removeProxy(WorldState& world, std::uint32_t shape);
-/// Frees the slot of a shape, and its proxy. @pre it has no contacts, and its body lists it no longer, or goes as well
+/// Takes all that others know of a shape, and its proxy. @pre it has no contacts
+void emptyShapeSlot(WorldState& world, std::uint32_t shape);
+/// Frees the slot of a shape, likewise. @pre it has no contacts, and its body lists it no longer, or goes as well
 void removeShapeSlot(WorldState& world, std::uint32_t shape);
 /// Shapes that may meet other ones than before (their body's type, sensors, filters) have new proxies, whose pairs are
 /// all found anew. @pre they have no contacts

@@ -104,6 +104,12 @@ Status World::configure(const WorldSettings& settings) {
 
 const WorldSettings& World::settings() const { return state_->settings; }
 
+Status World::setGravity(Vec2 gravity) {
+    WorldSettings settings = state_->settings;
+    settings.gravity = gravity;
+    return configure(settings);
+}
+
 void World::setTaskSystem(TaskSystem* tasks) { state_->userTasks = tasks != nullptr ? tasks : &state_->serialTasks; }
 
 Status World::step(double dt) {

@@ -60,6 +60,13 @@ Status checkMass(const Polygon& polygon, Real density) {
     return Status::success();
 }
 
+Status checkShape(const Polygon& polygon, const ShapeDef& def, bool isDynamic) {
+    const Status geometry = validate(polygon);
+    if (!geometry.ok()) { return geometry; }
+    return firstFault({checkSize(polygon.points(), polygon.radius, "vertices"), check(def),
+                       isDynamic ? checkMass(polygon, def.density) : Status::success()});
+}
+
 /// All that may fail when memory runs out, before a shape is made, but for its proxy.
 void makeRoomForShape(WorldState& world, Body& body) {
     world.shapes.makeRoomForOne();
@@ -198,16 +205,8 @@ private:
 Result<ShapeId> World::addShape(BodyId body, const Polygon& polygon, const ShapeDef& def) {
     WorldState& world = *state_;
     if (!world.bodies.isValid(body)) { return Status{StatusCode::staleId, "body"}; }
-    const Status geometry = validate(polygon);
-    if (!geometry.ok()) { return geometry; }
-    const Status size = checkSize(polygon.points(), polygon.radius, "vertices");
-    if (!size.ok()) { return size; }
-    const Status surface = check(def);
-    if (!surface.ok()) { return surface; }
-    if (world.bodies[body.index].isDynamic()) {
-        const Status mass = checkMass(polygon, def.density);
-        if (!mass.ok()) { return mass; }
-    }
+    const Status good = checkShape(polygon, def, world.bodies[body.index].isDynamic());
+    if (!good.ok()) { return good; }
     Shape shape;
     shape.polygon = polygon;
     shape.def = def;
@@ -273,6 +272,50 @@ Status World::destroyShape(ShapeId id) {
         removeShapeSlot(world, slot);
     }
     refreshWithout(world, body, attained);
+    return Status::success();
+}
+
+Status World::reshape(ShapeId id, const Polygon& polygon) {
+    WorldState& world = *state_;
+    if (!isValid(id)) { return {StatusCode::staleId, "shape"}; }
+    if (world.shapes[id.index].isChainSegment) { return {StatusCode::notConvex, "shape"}; }
+    const ShapeDef def = world.shapes[id.index].def;
+    const std::uint32_t owner = world.shapes[id.index].body;
+    Body& body = world.bodies[owner];
+    const Status good = checkShape(polygon, def, body.isDynamic());
+    if (!good.ok()) { return good; }
+    Shape next;
+    next.polygon = polygon;
+    next.def = def;
+    next.body = owner;
+    next.head = id.index;
+    setSkin(next, body.isDynamic());
+    makeRoomForShape(world, body);
+    const Result<ProxyId> proxy = body.def.enabled ? makeProxy(world, next) : kNoProxy;
+    if (!proxy.ok()) { return proxy.status(); }
+    next.proxy = proxy.value();
+
+    const std::span<const std::uint32_t> places = pairsOfShape(world, std::span(&id.index, 1));
+    wakeAcross(world, owner, places);
+    wakeJoined(world, owner);
+    removePairs(world, places);
+    const std::uint32_t attained = measuresAttained(body, world.shapes[id.index]);
+    emptyShapeSlot(world, id.index);
+    world.shapes[id.index] = next;
+    if (next.proxy != kNoProxy) { rememberProxy(world, next.proxy, id.index); }
+    countTraits(world, id.index);
+    world.thinnestWall.reset();
+    const auto place =
+        static_cast<std::size_t>(std::find(body.shapes.begin(), body.shapes.end(), id.index) - body.shapes.begin());
+    if (body.isDynamic()) {
+        weigh(world, std::span(&id.index, 1));
+        // Those that follow are compared with it as if they were new.
+        (void)markFlushPieces(world, owner, place);
+        notePiecesOf(world, body.shapes);
+    } else {
+        noteLoss(world, owner, attained);
+    }
+    refreshWith(world, owner, place);
     return Status::success();
 }
 

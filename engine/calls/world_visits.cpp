@@ -121,6 +121,15 @@ Aabb World::bounds(ShapeId id) const {
     return box;
 }
 
+BodyId World::bodyA(JointId id) const {
+    const Joint* joint = state_->joints.find(id);
+    return joint != nullptr ? std::visit([](const auto& part) { return part.def.base.bodyA; }, joint->parts) : BodyId{};
+}
+BodyId World::bodyB(JointId id) const {
+    const Joint* joint = state_->joints.find(id);
+    return joint != nullptr ? std::visit([](const auto& part) { return part.def.base.bodyB; }, joint->parts) : BodyId{};
+}
+
 std::uint64_t World::userData(JointId id) const {
     const Joint* joint = state_->joints.find(id);
     return joint != nullptr ? joint->base.userData : 0;

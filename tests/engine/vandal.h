@@ -269,6 +269,7 @@ private:
     Status changeSettings() { return world_.configure(settings()); }
     Status redefine() {
         if (random().chance(0.5)) { return world_.redefine(mostlyAlive(), bodyDef()); }
+        if (random().chance(0.3)) { return world_.reshape(any(known_.shapes), polygon()); }
         if (random().chance(0.5)) { return changeSurface(any(known_.shapes)); }
         return world_.redefine(any(known_.shapes), surface());
     }
