@@ -350,7 +350,7 @@ public:
     /// as the last step began (of what went from impact to impact, later in it: before its `begin` is told), and their
     /// bodies moved since.
     void visitContacts(FunctionRef<void(const ContactView&)> visit) const;
-    // What one body or shape touches. The third of these calls after a step lists all contacts by shape; from then on
+    // What one body touches, or overlaps a sensor. The third of these calls after a step lists all contacts by shape; from then on
     // each takes as long as its answer.
     /// The contact points of one body, A and B as in the list of all; none of a stale id.
     void visitContacts(BodyId id, FunctionRef<void(const ContactView&)> visit) const;
@@ -359,7 +359,8 @@ public:
     void visitOverlaps(ShapeId sensor, FunctionRef<void(ShapeId)> visit) const;
 
     // --- what the last step did
-    // The lists stay as they are until the next step, whatever is destroyed while one goes through them.
+    // The lists stay as they are until the next step, whatever is destroyed while one goes through them, or until the
+    // world is assigned to, loaded into or destroyed.
     /// Sorted by fraction, then by the lower index of the two shapes' ids, then by the higher one, ends before begins.
     /// What calls between the step before and this one ended (bodies and shapes destroyed or teleported) is among them,
     /// at fraction 0; ids may name what is gone. A chain is one shape here.
