@@ -350,8 +350,8 @@ public:
     /// as the last step began (of what went from impact to impact, later in it: before its `begin` is told), and their
     /// bodies moved since.
     void visitContacts(FunctionRef<void(const ContactView&)> visit) const;
-    // What one body touches, or overlaps a sensor. The third of these calls after a step lists all contacts by shape; from then on
-    // each takes as long as its answer.
+    // What one body touches, or overlaps a sensor. The third of these calls after a step lists all contacts by shape;
+    // from then on each takes as long as its answer.
     /// The contact points of one body, A and B as in the list of all; none of a stale id.
     void visitContacts(BodyId id, FunctionRef<void(const ContactView&)> visit) const;
     /// What overlaps a sensor: all whose `sensorBegin` was reported, and not its end, but for what calls put elsewhere
