@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "../shapes/real.h"
 #include "wide_walks.inc"
 
 namespace swept::inline SWEPT_PRECISION {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "../../shapes/real.h"
+
 namespace swept::inline SWEPT_PRECISION {
 
 struct WorldState;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../../shapes/raw_vector.h"
+#include "../../shapes/real.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

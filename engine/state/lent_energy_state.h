@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "../../shapes/real.h"
+
 namespace swept::inline SWEPT_PRECISION {
 
 /// What goes on from step to step of a chain whose joints only hold, J: the kinetic energy that a jerk took from it as

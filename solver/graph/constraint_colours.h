@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "../../shapes/real.h"
+
 namespace swept::inline SWEPT_PRECISION {
 
 /// Colours of the constraint graph. Two constraints of one colour share no movable body, so a colour can be solved wide

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "../../shapes/dvec2.h"
+#include "../../shapes/real.h"
 
 namespace swept::inline SWEPT_PRECISION {
 

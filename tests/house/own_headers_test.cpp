@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <functional>
 #include <map>
@@ -136,6 +137,19 @@ TEST(OwnHeaders, AreThereForTheNamesInUse) {
         }
     }
     EXPECT_GT(uses, 3000) << "the scan found hardly anything";
+}
+
+/// Else its names are of a precision that is called "SWEPT_PRECISION", where nothing else was read before.
+TEST(OwnHeaders, KnowTheirPrecision) {
+    Tree tree;
+    int users = 0;
+    for (const auto& [path, scanned] : tree.files()) {
+        const std::vector<std::string_view>& tokens = scanned.tokens;
+        if (std::find(tokens.begin(), tokens.end(), "SWEPT_PRECISION") == tokens.end()) { continue; }
+        ++users;
+        EXPECT_TRUE(tree.reachOf(path).contains("shapes/real.h")) << path << " does not include shapes/real.h";
+    }
+    EXPECT_GT(users, 500);
 }
 
 }  // namespace
