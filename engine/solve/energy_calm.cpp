@@ -42,9 +42,6 @@ bool opens(const EnergyAccount& account) {
     return account.gapAfter > account.gapBefore + more + kOpened;
 }
 
-/// Of a speed, where so much of its energy is taken.
-double partLeft(double energy, double taken) { return energy > taken ? std::sqrt(1 - taken / energy) : 0; }
-
 class Calmer {
 public:
     Calmer(WorldState& world, const TiedGroup& group) : world_(world), group_(group) {}
@@ -165,8 +162,8 @@ private:
             const IslandMotion& island = desk.islandMotions[account.motion];
             const double whole = 0.5 * island.mass * squared(island.keptVelocity);
             const double own = account.kinetic - whole;
-            const double left = partLeft(own, excess);
-            const double wholeLeft = partLeft(whole, std::max(excess - std::max(own, 0.0), 0.0));
+            const double left = speedLeft(own, excess, account.kinetic);
+            const double wholeLeft = speedLeft(whole, std::max(excess - std::max(own, 0.0), 0.0), account.kinetic);
             BodyMotion& motion = world_.motions[slot];
             const DVec2 relative = toDouble(motion.velocity) - island.keptVelocity;
             motion.velocity = toReal(wholeLeft * island.keptVelocity + left * relative);

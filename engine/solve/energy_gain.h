@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "../bodies/body_joints.h"
 #include "tied_group.h"
@@ -58,6 +59,14 @@ inline bool hasGained(const EnergyAccount& account) { return account.owed > 0 ||
 inline double dueOf(const EnergyAccount& account) {
     const double excess = account.owed > 0 && !hasGainedAtOnce(account) ? 0 : excessOf(account);
     return std::max(excess, account.owed);
+}
+
+/// Of a speed, where `taken` of its `energy` is taken. What is left of far more is rounding: an island that burst with
+/// 10⁴² J where it had 27 would go on with 10²⁶.
+/// @param all  energy of which both are parts
+inline double speedLeft(double energy, double taken, double all) {
+    constexpr double kRounding = 0x1p-40;
+    return energy - taken > kRounding * all ? std::sqrt(1 - taken / energy) : 0;
 }
 
 /// kg·m²; 0 of what does not turn.

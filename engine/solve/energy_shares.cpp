@@ -123,9 +123,10 @@ double rigidEnergy(const IslandMotion& island, DVec2 velocity, double spin) {
 
 /// Where all of the motion relative to it is not enough, what joints gained moves the island as a whole. (A chain whose
 /// joints contradicted each other as it lay on the ground slid away at 640 m/s.)
-void slowDown(IslandMotion& island, double excess) {
+/// @param all  kinetic energy that it has now
+void slowDown(IslandMotion& island, double excess, double all) {
     const double kept = rigidEnergy(island, island.keptVelocity, island.keptSpin);
-    const double left = kept > excess ? std::sqrt(1 - excess / kept) : 0;
+    const double left = speedLeft(kept, excess, all);
     island.keptVelocity = left * island.keptVelocity;
     island.keptSpin *= left;
 }
@@ -150,15 +151,19 @@ void findShares(WorldState& world, SolveDesk& desk, double time) {
         if (account.isJointed && !account.isAnchored && !account.isGrounded) {
             if (!free) { free.emplace(world, desk, time); }
             free->limit(island, i);
+        } else if (account.isJointed && hasGainedAtOnce(account) &&
+                   !(speedLeft(account.kinetic, excessOf(account), account.kinetic) > 0)) {
+            island.keptVelocity = {};  // how it slid along the ground is lost in that, too
+            island.keptSpin = 0;
         }
         const double rigid = rigidEnergy(island, island.velocity, island.spin);
         const double paid = rigid - rigidEnergy(island, island.keptVelocity, island.keptSpin);
         const double relative = account.kinetic - rigid;
         const double due = dueOf(account) - paid;
-        if (due > 0) { island.share = relative > due ? std::sqrt(1 - due / relative) : 0; }
+        if (due > 0) { island.share = speedLeft(relative, due, account.kinetic); }
         // Shaking that adds up is all relative.
         const double excess = hasGainedAtOnce(account) ? excessOf(account) - paid : 0;
-        if (account.isJointed && excess > relative) { slowDown(island, excess - relative); }
+        if (account.isJointed && excess > relative) { slowDown(island, excess - relative, account.kinetic); }
     }
 }
 
