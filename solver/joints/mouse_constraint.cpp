@@ -1,11 +1,13 @@
 #include "mouse_constraint.h"
 
+#include <cmath>
 #include <limits>
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
 
 Vec2 limited(Vec2 impulse, Real most) {
+    if (std::fabs(impulse.x) + std::fabs(impulse.y) <= most) { return impulse; }  // the usual case, and at once
     const UnitAndLength wanted = normalized(impulse);
     return wanted.length > most ? most * wanted.unit : impulse;
 }
@@ -32,7 +34,6 @@ void aim(MouseConstraint& joint, const JointPair& pair, const HeldRows& grip, Re
 }
 
 void solveOne(MouseConstraint& joint, const JointPair& pair, Real h, bool useBias) {
-    if (joint.hasSpring && !useBias) { return; }  // drags once per sub-step
     const HeldRows grip = gripOf(joint, pair);
     Vec2 total = joint.linearImpulse;
     if (joint.hasSpring) {
@@ -72,6 +73,7 @@ void warmStart(std::span<MouseConstraint> joints, const SolverBodies& bodies) {
 
 void solve(std::span<MouseConstraint> joints, const SolverBodies& bodies, Real h, bool useBias) {
     for (MouseConstraint& joint : joints) {
+        if (joint.hasSpring && !useBias) { continue; }  // drags once per sub-step
         BodyState a = bodies.states[joint.slotA];
         BodyState b = bodies.states[joint.slotB];
         solveOne(joint, {a, b, bodies.inertias[joint.slotA], bodies.inertias[joint.slotB]}, h, useBias);
