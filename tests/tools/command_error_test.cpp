@@ -195,11 +195,46 @@ TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
     expectRefused({"scenes", "--json", "piramid"}, "did you mean \"pyramid\"?");
     expectRefused({""}, "no such command");
     expectRefused({"toi", in_.path("missing.jsonl")}, in_.path("missing.jsonl"));
-    expectRefused({"toi", "--method", "guess"}, "--method guess");
+    expectRefused({"toi", "--method", "guess"}, "swept: --method: must be one of discrete, rayCast, ");
     expectRefused({"distance", "--precision", "f16"}, "--precision");
     expectRefused({"compare", scene_, "--scale", "0"}, "--scale");
     expectRefused({"compare", scene_, "--scale", "big"}, "swept: --scale: big is not a number");
     expectRefused({"compare", scene_, "--png", out_.path("missing/a.png")}, "--png");
+}
+
+/// In the same words, whoever reads the option.
+TEST_F(CommandError, ChoicesAndRanges) {
+    expectRefused({"bench", "world", "--engines", "steam"},
+                  "swept: --engines: must be one of fast f32, accurate f32, ");
+    expectRefused({"bench", "world", "--scenes", "nowhere"}, "beams, not nowhere\n");
+    expectRefused({"bench", "world", "--of", "mean"}, "swept: --of: must be one of median, fastest, not mean\n");
+    expectRefused({"bench", "threads", "--profile", "slow"}, "--profile: must be one of accurate, fast, not slow\n");
+    expectRefused({"bench", "accuracy", "--scenes", "stack-12"}, " names, not stack-12; did you mean stack-1");
+    expectRefused({"run", scene_, "--precision", "f16"}, "swept: --precision: must be one of f32, f64, not f16");
+    expectRefused({"distance", "--precision", "f16"}, "swept: --precision: must be one of f32, f64, not f16");
+    expectRefused({"toi", "--generate", "nothing"}, "swept: --generate: must be one of generic, ");
+    expectRefused({"envelope", "--slice", "nothing"}, "swept: --slice: must be one of ");
+    expectRefused({"run", scene_, "--threads", "0"}, "swept: --threads: must be between 1 and ");
+    expectRefused({"bench", "world", "--size", "0"}, "swept: --size: must be between 1e-04 and 100, not 0\n");
+    expectRefused({"bench", "toi", "--seed", "-1"},
+                  "swept: --seed: must be a whole number, written in digits, not -1\n");
+    expectRefused({"toi", "--generate", "generic", "--count", "0"}, "swept: --count: must be at least 1, not 0\n");
+}
+
+/// No list of ninety names among the options; what is no name lists them.
+TEST_F(CommandError, HelpStaysShort) {
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"bench", "world"}, {"bench", "accuracy"}, {"bench", "threads"}, {"run"}}) {
+        std::vector<std::string> arguments = command;
+        arguments.emplace_back("--help");
+        const std::string help = runSwept(arguments).out;
+        std::size_t lists = 0;
+        for (std::size_t at = help.find('{'); at != std::string::npos; at = help.find('{', at + 1), ++lists) {
+            EXPECT_LT(help.find('}', at) - at, 90u) << help.substr(at, 200);
+        }
+        EXPECT_GT(lists, 0u) << command.back();
+    }
+    expectRefused({"bench", "accuracy", "--scenes", "*"}, "must be one of stacks, stack-10, stack-50, ");
 }
 
 TEST_F(CommandError, TuneWithoutAnErrorToKeep) { expectRefused({"tune", scene_}, "--max-error"); }

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -47,16 +48,52 @@ std::string faultOfNumber(const std::string& text) {
 
 std::string faultOfText(const std::string& text) { return text.empty() ? "must not be empty" : ""; }
 
-/// One of what a list has that takes long to make: it is made when it is asked for.
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) { text += (text.empty() ? "" : ", ") + name; }
+    return text;
+}
+
+/// A list that is longer than this is no help among the other options.
+constexpr std::size_t kLongestList = 80;
+
+/// `; did you mean "run"?`, or nothing.
+std::string nearestOf(const std::string& word, const std::vector<std::string>& names) {
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string_view nearest = nearestName(word, known);
+    return nearest.empty() ? "" : "; did you mean " + std::string(nearest) + '?';
+}
+
+/// One of what a list has. The list may take long to make: that is done when it is asked for.
 class MemberOfList : public CLI::Validator {
 public:
     using List = std::function<std::vector<std::string>()>;
 
     explicit MemberOfList(const List& list) {
-        desc_function_ = [list] { return CLI::IsMember(list()).get_description(); };
-        func_ = [list](std::string& value) { return CLI::IsMember(list())(value); };
+        desc_function_ = [list] {
+            const std::vector<std::string> names = list();
+            const std::string all = joined(names);
+            return all.size() <= kLongestList
+                       ? '{' + all + '}'
+                       : '{' + std::to_string(names.size()) + " names: any other word lists them}";
+        };
+        func_ = [list](std::string& value) {
+            const std::vector<std::string> names = list();
+            const bool isNamed = std::find(names.begin(), names.end(), value) != names.end();
+            return isNamed ? "" : mustBeOneOf(names, value);
+        };
     }
 };
+
+/// @param hasMost  whether the upper bound is one, and not just the end of what numbers can be
+std::string outOfRange(const std::string& text, const std::string& least, const std::string& most, bool hasMost) {
+    return "must be " + (hasMost ? "between " + least + " and " + most : "at least " + least) + ", not " + text;
+}
+
+/// Of the help.
+std::string rangeText(const std::string& least, const std::string& most, bool hasMost) {
+    return hasMost ? least + " to " + most : "at least " + least;
+}
 
 template <class T>
 struct ValueOf {
@@ -66,13 +103,6 @@ template <class T>
 struct ValueOf<std::optional<T>> {
     using Type = T;
 };
-
-/// `; did you mean "run"?`, or nothing.
-std::string nearestOf(const std::string& word, const std::vector<std::string>& names) {
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    const std::string_view nearest = nearestName(word, known);
-    return nearest.empty() ? "" : "; did you mean " + std::string(nearest) + '?';
-}
 
 /// Those that the help lists.
 std::vector<std::string> namesOfCommands(const CLI::App& app) {
@@ -150,30 +180,46 @@ int withOutputWritten(int exitCode) {
 
 }  // namespace
 
+std::string mustBeOneOf(const std::vector<std::string>& names, const std::string& value) {
+    const std::string nearest = nearestOf(value, names);
+    const std::string all = joined(names);
+    const bool isShort = nearest.empty() || all.size() <= kLongestList;
+    return "must be one of " + (isShort ? all : std::to_string(names.size()) + " names") + ", not " + value + nearest;
+}
+
 Option Option::type(const std::string& name) const {
     option_->type_name(name);
     return *this;
 }
 
 Option Option::within(std::int64_t least, std::int64_t most) const {
-    option_->check(CLI::Range(least, most));
-    // The library takes the largest there is for what is larger still, which unsigned values can be.
-    option_->check(faultOfWholeNumber<std::int64_t>, "");
+    const bool hasMost = most < std::numeric_limits<int>::max();
+    const auto fault = [=](const std::string& text) {
+        // The library takes the largest there is for what is larger still, which unsigned values can be.
+        std::string wrong = faultOfWholeNumber<std::int64_t>(text);
+        if (!wrong.empty()) { return wrong; }
+        const std::int64_t number = std::strtoll(text.c_str(), nullptr, 10);
+        return number < least || number > most ? outOfRange(text, std::to_string(least), std::to_string(most), hasMost)
+                                               : wrong;
+    };
+    option_->check(fault, rangeText(std::to_string(least), std::to_string(most), hasMost));
     return *this;
 }
 
 Option Option::withinReals(double least, double most) const {
-    option_->check(CLI::Range(least, most));
-    // "nan" is a number to the range, and neither below nor above it.
-    option_->check([](const std::string& text) {
-        return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is not a number" : std::string();
-    });
+    const auto fault = [=](const std::string& text) {
+        const double number = std::strtod(text.c_str(), nullptr);
+        // "nan" is a number, and neither below nor above anything.
+        if (std::isnan(number)) { return text + " is not a number"; }
+        return number < least || number > most ? outOfRange(text, shortestNumber(least), shortestNumber(most), true)
+                                               : std::string();
+    };
+    option_->check(fault, rangeText(shortestNumber(least), shortestNumber(most), true));
     return *this;
 }
 
 Option Option::oneOf(const std::vector<std::string>& values) const {
-    option_->check(CLI::IsMember(values));
-    return *this;
+    return oneOf([values] { return values; });
 }
 
 Option Option::oneOf(const std::function<std::vector<std::string>()>& list) const {

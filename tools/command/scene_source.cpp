@@ -142,16 +142,12 @@ void addSceneArguments(Command command, SceneArguments& arguments) {
 }
 
 void addPrecisionArgument(Command command, SceneArguments& arguments) {
-    command.option("--precision", arguments.precision, "Build of the engine: f32 or f64 [f32]").type("P");
+    command.option("--precision", arguments.precision, "Build of the engine [f32]").type("P").oneOf({"f32", "f64"});
 }
 
 std::optional<LoadedScene> loadScene(const SceneArguments& arguments, std::string& error) {
     if (arguments.duration && arguments.steps) {
         error = "--duration and --steps: give one of them, not both";
-        return std::nullopt;
-    }
-    if (arguments.precision != "f32" && arguments.precision != "f64") {
-        error = "--precision: must be f32 or f64";
         return std::nullopt;
     }
     const auto overrides = splitOverrides(arguments.overrides, error);
