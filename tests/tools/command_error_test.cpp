@@ -193,6 +193,9 @@ TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
     expectRefused({"toi", "--precision", "f32"}, "swept: --precision: no such option");
     expectRefused({"modes", scene_, "--size", "big"}, "--size");
     expectRefused({"scenes", "--json", "piramid"}, "did you mean \"pyramid\"?");
+    expectRefused({"scenes", "--json", "foo"}, "no built-in scene of that name (\"swept scenes\" lists them)");
+    expectRefused({"scenes", "pyramid"}, "pyramid: one argument too many; did you mean --json pyramid?");
+    expectRefused({"scenes", "--json", "pyramid", "car"}, "car: one argument too many (--help tells");
     expectRefused({""}, "no such command");
     expectRefused({"toi", in_.path("missing.jsonl")}, in_.path("missing.jsonl"));
     expectRefused({"toi", "--method", "guess"}, "swept: --method: must be one of discrete, rayCast, ");

@@ -113,12 +113,17 @@ std::vector<std::string> namesOfCommands(const CLI::App& app) {
     return names;
 }
 
-/// "--steps" and so on, of the command that was named.
-std::vector<std::string> namesOfOptions(const CLI::App& program) {
+/// The command that was named.
+const CLI::App& namedCommand(const CLI::App& program) {
     const CLI::App* app = &program;
     while (!app->get_subcommands().empty()) { app = app->get_subcommands().front(); }
+    return *app;
+}
+
+/// "--steps" and so on, of the command that was named.
+std::vector<std::string> namesOfOptions(const CLI::App& program) {
     std::vector<std::string> names;
-    for (const CLI::Option* const option : app->get_options()) {
+    for (const CLI::Option* const option : namedCommand(program).get_options()) {
         for (const std::string& name : option->get_lnames()) { names.push_back("--" + name); }
     }
     return names;
@@ -155,6 +160,14 @@ std::string faultOfCommand(const CLI::App& program, const std::vector<std::strin
     return app->get_require_subcommand_min() == 0 ? "" : "no command given" + listedBy(path);
 }
 
+/// "; did you mean --json WORD?" of a word beside the only option that takes any; or nothing.
+std::string optionForWord(const CLI::App& program, const std::string& word) {
+    const auto takesWords = [](const CLI::Option* option) { return option->get_items_expected_max() > 0; };
+    const auto options = namedCommand(program).get_options(takesWords);
+    const bool isOnlyOne = options.size() == 1 && options[0]->nonpositional() && options[0]->count() == 0;
+    return isOnlyOne ? "; did you mean " + options[0]->get_name() + ' ' + word + '?' : "";
+}
+
 /// The first argument that nothing took; the library lists them all, from the back. Empty: there is none.
 std::string faultOfLeftOver(const CLI::App& program, const std::vector<std::string>& arguments) {
     const std::vector<std::string> leftOver = program.remaining(true);
@@ -168,8 +181,9 @@ std::string faultOfLeftOver(const CLI::App& program, const std::vector<std::stri
         const std::string name = first->substr(0, first->find('='));
         return name + ": no such option" + nearestOf(name, namesOfOptions(program));
     }
+    const std::string option = optionForWord(program, *first);
     return *first + ": one argument too many" +
-           (program.get_subcommands().empty() ? "" : " (--help tells which there are)");
+           (program.get_subcommands().empty() || !option.empty() ? option : " (--help tells which there are)");
 }
 
 /// What was written to a pipe that nobody reads, or to a disk that is full, is lost: a success must not be claimed.
