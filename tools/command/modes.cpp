@@ -90,7 +90,7 @@ bool runMode(const LoadedScene& loaded, SceneContinuous mode, ModeRun& run, std:
 
 void printTable(std::ostream& out, const LoadedScene& loaded, const std::vector<ModeRun>& runs) {
     out << loaded.source << ": " << countText(loaded.steps, "step") << " in each mode\n"
-        << "mode         impacts   sweeps      TOI  lost (ms)  energy gained (J)  deepest (mm)  us a step\n";
+        << "mode         impacts   sweeps      TOI  lost (ms)  energy change (J)  deepest (mm)  us a step\n";
     for (const ModeRun& run : runs) {
         const auto steps = static_cast<double>(std::max<std::int64_t>(loaded.steps, 1));
         // No part of what there was: where energy counts from, and with it that part, is anyone's choice.
