@@ -104,13 +104,14 @@ TEST_F(CommandError, PicturesThatMakeNoSense) {
     expectRunRefused({scene_, "--every", "0"}, "--every");
     expectRunRefused({scene_, "--sheet", "-1"}, "--sheet");
     expectRefused({"run", scene_, "--sheet", "4"}, "--sheet: needs --png");
-    expectRefused({"run", scene_, "--trails"}, "need --png or --webp");
-    expectRefused({"run", scene_, "--labels"}, "--sweeps and --labels need --png or --webp");
+    expectRefused({"run", scene_, "--trails"}, "swept: --trails needs --png or --webp\n");
+    expectRefused({"run", scene_, "--labels"}, "swept: --labels needs --png or --webp\n");
     expectRunRefused({scene_, "--sheet", "0"}, "--sheet");
     expectRunRefused({scene_, "--sheet", "401"}, "--sheet");
     expectRunRefused({scene_, "--size", "9000x90"}, "--size 9000x90: sides must be between 16 and 8192");
     for (const char* const command : {"modes", "compare"}) {
         expectRefused({command, scene_, "--steps", "1", "--size", "90x90"}, "--size needs --png");
+        expectRefused({command, scene_, "--steps", "1", "--size", "1x"}, "--size 1x: expected WIDTHxHEIGHT");
         expectRefused({command, scene_, "--steps", "1", "--size", "8193x90", "--png", out_.path("a.png")},
                       "--size 8193x90: sides must be between 16 and 8192");
     }
@@ -123,8 +124,8 @@ TEST_F(CommandError, StatesThatMakeNoSense) {
     expectRunRefused({scene_, "--csv-bodies", "floor,bal"},
                      "--csv-bodies bal: the scene has no body of that name; did you mean \"ball\"?");
     expectRunRefused({scene_, "--csv-bodies", ""}, "--csv-bodies");
-    expectRefused({"run", scene_, "--csv-every", "2"}, "swept: --csv-every and --csv-bodies need --csv");
-    expectRefused({"run", scene_, "--csv-bodies", "ball"}, "swept: --csv-every and --csv-bodies need --csv");
+    expectRefused({"run", scene_, "--csv-every", "2"}, "swept: --csv-every needs --csv\n");
+    expectRefused({"run", scene_, "--csv-bodies", "ball"}, "swept: --csv-bodies needs --csv\n");
 }
 
 TEST_F(CommandError, FilesThatPicturesWouldOverwrite) {

@@ -209,11 +209,11 @@ std::string comparisonJson(const LoadedScene& loaded, Comparison& found, const R
 std::unique_ptr<SceneRenderer> makeOverlayRenderer(const LoadedScene& loaded, const CompareArguments& arguments,
                                                    std::string& error) {
     PictureSize size;
+    if (!parseSize(arguments.size.empty() ? kOverlaySize : arguments.size, size, error)) { return nullptr; }
     if (arguments.png.empty()) {
         error = faultWithoutPicture(arguments.size, arguments.camera);
         return nullptr;
     }
-    if (!parseSize(arguments.size.empty() ? kOverlaySize : arguments.size, size, error)) { return nullptr; }
     const auto camera = cameraOf(arguments.camera, loaded.scene, error);
     if (!camera) { return nullptr; }
     RenderOptions options;

@@ -250,7 +250,7 @@ std::string withoutBlanks(const std::string& typed) {
 std::optional<std::vector<std::size_t>> csvBodiesOf(const RunArguments& arguments,
                                                     const std::vector<std::string>& names, std::string& error) {
     if (arguments.csv.empty() && (arguments.csvEvery || !arguments.csvBodies.empty())) {
-        error = "--csv-every and --csv-bodies need --csv";
+        error = std::string(arguments.csvEvery ? "--csv-every" : "--csv-bodies") + " needs --csv";
         return std::nullopt;
     }
     if (arguments.csvEvery.value_or(1) < 1) {
