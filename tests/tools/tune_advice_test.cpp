@@ -23,9 +23,12 @@ TEST(TuneVerdict, TellsWhatAdviceCosts) {
     EXPECT_EQ(costText(0.95, 1, true), ": no saving that could be measured");
     EXPECT_EQ(costText(0, 1, true), "");
     // What keeps the errors may well cost more than what does not.
-    EXPECT_EQ(costText(1.24, 1, false), ": 1.24 times what the scene costs now, which does not keep these errors");
-    EXPECT_EQ(costText(0.95, 1, false), ": about what the scene costs now, which does not keep these errors");
-    EXPECT_EQ(costText(0.4, 1, false), ": 0.4 of what the scene costs now, which does not keep these errors");
+    EXPECT_EQ(costText(1.24, 1, false),
+              ": 1.24 times what the scene costs now (as it is, the scene does not keep these errors)");
+    EXPECT_EQ(costText(0.95, 1, false),
+              ": about what the scene costs now (as it is, the scene does not keep these errors)");
+    EXPECT_EQ(costText(0.4, 1, false),
+              ": 0.4 of what the scene costs now (as it is, the scene does not keep these errors)");
 }
 
 /// A row that keeps every error.
@@ -119,19 +122,26 @@ TEST(TuneLimits, OfNothingThereAreNoParts) {
     known.rows.resize(1);
     known.rows[0].config = ownConfig(subject.scene);
     known.rows[0].cost = 1;
-    const auto lastRow = [&] {
+    const auto rowUnder = [&](const std::vector<Limit>& limits) {
         std::ostringstream out;
-        writeTable(out, subject, nothing, known, judge(subject, known, nothing));
+        writeTable(out, subject, limits, known, judge(subject, known, limits));
         const std::string rows = out.str().substr(0, out.str().find("\n> recommended"));
         return rows.substr(rows.find_last_of("\n") + 1);
     };
     for (const double error : {1e-30, 0.002}) {  // the first one is lost beside 1
         known.rows[0].errors[Measure::penetration] = error;
         EXPECT_FALSE(holds(strain(known.rows[0], nothing, certain))) << error;
-        EXPECT_TRUE(lastRow().ends_with("over")) << lastRow();
+        EXPECT_TRUE(rowUnder(nothing).ends_with("over")) << rowUnder(nothing);
+    }
+    // In one form, however large.
+    const std::vector<Limit> some{{Measure::penetration, 0.001, false}};
+    for (const auto& [error, text] :
+         {std::pair(0.000123456, " 12.3 %"), std::pair(0.0051, " 510 %"), std::pair(0.0234567, " 2346 %")}) {
+        known.rows[0].errors[Measure::penetration] = error;
+        EXPECT_TRUE(rowUnder(some).ends_with(text)) << rowUnder(some);
     }
     known.rows[0].errors[Measure::penetration] = 0;
-    EXPECT_TRUE(lastRow().ends_with(" 0 %")) << lastRow();
+    EXPECT_TRUE(rowUnder(nothing).ends_with(" 0 %")) << rowUnder(nothing);
 }
 
 TEST(TuneLimits, ThoseThatAreMissedAreTold) {

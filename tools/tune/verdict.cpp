@@ -27,10 +27,11 @@ std::string hertz(const Subject& subject, const Config& config) {
 
 std::string errorText(double value) { return std::isnan(value) ? "-" : roundedText(value, 2); }
 
-/// "37 %", "41 times".
+/// "37 %", "4100 %".
 std::string partText(double part) {
-    constexpr double kMostPercent = 10;
-    return part < kMostPercent ? roundedText(100 * part, 3) + " %" : roundedText(part, 2) + " times";
+    constexpr double kWhole = 100;  // percents from which on three digits are whole numbers
+    const double percents = 100 * part;
+    return (percents < kWhole ? roundedText(percents, 3) : roundedText(std::round(percents), 15)) + " %";
 }
 
 /// The error as a part of what is accepted. Of nothing there are no parts.
@@ -173,7 +174,8 @@ std::string costText(double cost, double now, bool isKept) {
     if (isEqual && isKept) { return ": no saving that could be measured"; }
     const std::string ratio =
         isEqual ? "about" : (part < 1 ? roundedText(part, 2) + " of" : roundedText(part, 3) + " times");
-    return ": " + ratio + " what the scene costs now" + (isKept ? "" : ", which does not keep these errors");
+    return ": " + ratio + " what the scene costs now" +
+           (isKept ? "" : " (as it is, the scene does not keep these errors)");
 }
 
 std::string settingsText(const Subject& subject, const Config& config) {
