@@ -201,6 +201,7 @@ TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
     expectRefused({"toi", in_.path("missing.jsonl")}, in_.path("missing.jsonl"));
     expectRefused({"toi", "--method", "guess"}, "swept: --method: must be one of discrete, rayCast, ");
     expectRefused({"distance", "--precision", "f16"}, "--precision");
+    expectRefused({"distance", "--method", "gjk"}, "swept: --method: no such option");
     expectRefused({"compare", scene_, "--scale", "0"}, "--scale");
     expectRefused({"compare", scene_, "--scale", "big"}, "swept: --scale: big is not a number");
     expectRefused({"compare", scene_, "--png", out_.path("missing/a.png")}, "--png");

@@ -73,6 +73,7 @@ TEST(CommandHelp, NamesCommandsAndOptions) {
           "--events", "--report", "--precision", "--threads", "--contacts", "--velocities", "--ghosts"}) {
         EXPECT_NE(runHelp.out.find(word), std::string::npos) << word;
     }
+    EXPECT_NE(runHelp.out.find("Another name of --report"), std::string::npos) << runHelp.out;
     EXPECT_EQ(runSwept({"--version"}).out.substr(0, 6), "swept ");
 }
 

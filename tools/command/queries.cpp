@@ -93,7 +93,6 @@ int answerToi(const QueryArguments& arguments) {
 }
 
 int answerDistance(const QueryArguments& arguments) {
-    if (arguments.method != "gjk") { return refuse("--method " + arguments.method + ": must be gjk"); }
     const Precision precision = arguments.precision == "f32" ? Precision::f32 : Precision::f64;
     return answerAll(arguments.file,
                      [precision](std::string_view line) { return answerDistanceLine(line, precision); });
@@ -158,9 +157,7 @@ void addQueryCommands(Command app) {
 
     const Command distance = app.command("distance", "Answer distance queries (poses at fraction 0)");
     const auto distanceArguments = std::make_shared<QueryArguments>();
-    distanceArguments->method = "gjk";
     addFileOption(distance, *distanceArguments);
-    distance.option("--method", distanceArguments->method, "gjk [gjk]").type("NAME");
     distance.option("--precision", distanceArguments->precision, "Build of the distance function [f64]")
         .type("P")
         .oneOf({"f32", "f64"});

@@ -116,7 +116,7 @@ void addRunOptions(Command command, RunArguments& arguments) {
         .oneValueEach();
     command.option("--events", arguments.events, "Contact, sensor and joint events as JSON lines, or -").type("FILE");
     command.option("--report", arguments.report, "Totals of the run as JSON, or -").type("FILE");
-    command.option("--json", arguments.json, "The same, under the name that other commands have for it").type("FILE");
+    command.option("--json", arguments.json, "Another name of --report, which other commands have, too").type("FILE");
     command
         .option("--write-scene", arguments.writtenScene,
                 "The scene as it is run, with what --set and --view change, as JSON, or -")
