@@ -197,9 +197,9 @@ std::string comparisonJson(const LoadedScene& loaded, Comparison& found, const R
         json["firstBeyond"] = ReportJson{{"step", found.firstBeyond}, {"time", time}};
     }
     json["deviations"] = std::move(found.table);
-    addTotals(json["ours"], loaded.scene, ours.report());
+    addTotals(json["ours"], loaded.scene, ours.report(), found.steps);
     json["box2d"]["engine"] = "Box2D 2.4.1";
-    addTotals(json["box2d"], loaded.scene, theirs.report());
+    addTotals(json["box2d"], loaded.scene, theirs.report(), found.steps);
     json["box2d"].erase("lostTime");  // it keeps no book of that
     if (theirs.aborted()) { json["box2d"]["aborted"] = *theirs.aborted(); }
     json["box2d"]["differences"] = theirs.approximations();

@@ -113,7 +113,7 @@ std::string modesJson(const LoadedScene& loaded, const std::vector<ModeRun>& run
         entry["continuous"] = run.name;
         const double simulated = static_cast<double>(loaded.steps) * loaded.scene.settings.dt;
         if (simulated > 0) { entry["cost"] = run.seconds / simulated; }
-        addTotals(entry, loaded.scene, run.report);
+        addTotals(entry, loaded.scene, run.report, loaded.steps);
         json["modes"].push_back(std::move(entry));
     }
     return jsonText(json);
