@@ -12,7 +12,7 @@ struct BuiltinScene {
     const char* name;     ///< lower case and hyphens
     const char* purpose;  ///< one line: what there is to see
     SceneDescription (*make)();
-    double duration;  ///< seconds that show it all
+    double duration;  ///< seconds that show it all: how long it runs unless told otherwise
 };
 
 /// All of them, in the order in which a new user should meet them.

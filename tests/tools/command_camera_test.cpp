@@ -140,7 +140,7 @@ TEST_F(CommandCameraError, BodiesThatAreNotThere) {
 
 TEST_F(CommandCameraError, WithoutAPicture) {
     for (const Words& camera : {Words{"--view", "0,0,1"}, Words{"--follow", "ball"}}) {
-        expectRefused({"run", scene_, camera[0], camera[1]}, "--view and --follow need --png or --webp");
+        expectRefused({"run", scene_, camera[0], camera[1]}, "swept: " + camera[0] + " needs --png or --webp\n");
         expectRefused({"compare", scene_, camera[0], camera[1]}, camera[0] + " needs --png");
         expectRefused({"modes", scene_, camera[0], camera[1]}, camera[0] + " needs --png");
     }

@@ -104,13 +104,14 @@ TEST_F(CommandError, PicturesThatMakeNoSense) {
     expectRunRefused({scene_, "--every", "0"}, "--every");
     expectRunRefused({scene_, "--sheet", "-1"}, "--sheet");
     expectRefused({"run", scene_, "--sheet", "4"}, "--sheet: needs --png");
-    expectRefused({"run", scene_, "--trails"}, "need --png or --webp");
-    expectRefused({"run", scene_, "--labels"}, "--sweeps and --labels need --png or --webp");
+    expectRefused({"run", scene_, "--trails"}, "swept: --trails needs --png or --webp\n");
+    expectRefused({"run", scene_, "--labels"}, "swept: --labels needs --png or --webp\n");
     expectRunRefused({scene_, "--sheet", "0"}, "--sheet");
     expectRunRefused({scene_, "--sheet", "401"}, "--sheet");
     expectRunRefused({scene_, "--size", "9000x90"}, "--size 9000x90: sides must be between 16 and 8192");
     for (const char* const command : {"modes", "compare"}) {
         expectRefused({command, scene_, "--steps", "1", "--size", "90x90"}, "--size needs --png");
+        expectRefused({command, scene_, "--steps", "1", "--size", "1x"}, "--size 1x: expected WIDTHxHEIGHT");
         expectRefused({command, scene_, "--steps", "1", "--size", "8193x90", "--png", out_.path("a.png")},
                       "--size 8193x90: sides must be between 16 and 8192");
     }
@@ -123,8 +124,8 @@ TEST_F(CommandError, StatesThatMakeNoSense) {
     expectRunRefused({scene_, "--csv-bodies", "floor,bal"},
                      "--csv-bodies bal: the scene has no body of that name; did you mean \"ball\"?");
     expectRunRefused({scene_, "--csv-bodies", ""}, "--csv-bodies");
-    expectRefused({"run", scene_, "--csv-every", "2"}, "swept: --csv-every and --csv-bodies need --csv");
-    expectRefused({"run", scene_, "--csv-bodies", "ball"}, "swept: --csv-every and --csv-bodies need --csv");
+    expectRefused({"run", scene_, "--csv-every", "2"}, "swept: --csv-every needs --csv\n");
+    expectRefused({"run", scene_, "--csv-bodies", "ball"}, "swept: --csv-bodies needs --csv\n");
 }
 
 TEST_F(CommandError, FilesThatPicturesWouldOverwrite) {
@@ -193,13 +194,52 @@ TEST_F(CommandError, OtherArgumentsThatMakeNoSense) {
     expectRefused({"toi", "--precision", "f32"}, "swept: --precision: no such option");
     expectRefused({"modes", scene_, "--size", "big"}, "--size");
     expectRefused({"scenes", "--json", "piramid"}, "did you mean \"pyramid\"?");
+    expectRefused({"scenes", "--json", "foo"}, "no built-in scene of that name (\"swept scenes\" lists them)");
+    expectRefused({"scenes", "pyramid"}, "pyramid: one argument too many; did you mean --json pyramid?");
+    expectRefused({"scenes", "--json", "pyramid", "car"}, "car: one argument too many (--help tells");
     expectRefused({""}, "no such command");
     expectRefused({"toi", in_.path("missing.jsonl")}, in_.path("missing.jsonl"));
-    expectRefused({"toi", "--method", "guess"}, "--method guess");
+    expectRefused({"toi", "--method", "guess"}, "swept: --method: must be one of discrete, rayCast, ");
     expectRefused({"distance", "--precision", "f16"}, "--precision");
+    expectRefused({"distance", "--method", "gjk"}, "swept: --method: no such option");
     expectRefused({"compare", scene_, "--scale", "0"}, "--scale");
     expectRefused({"compare", scene_, "--scale", "big"}, "swept: --scale: big is not a number");
     expectRefused({"compare", scene_, "--png", out_.path("missing/a.png")}, "--png");
+}
+
+/// In the same words, whoever reads the option.
+TEST_F(CommandError, ChoicesAndRanges) {
+    expectRefused({"bench", "world", "--engines", "steam"},
+                  "swept: --engines: must be one of fast f32, accurate f32, ");
+    expectRefused({"bench", "world", "--scenes", "nowhere"}, "beams, not nowhere\n");
+    expectRefused({"bench", "world", "--of", "mean"}, "swept: --of: must be one of median, fastest, not mean\n");
+    expectRefused({"bench", "threads", "--profile", "slow"}, "--profile: must be one of accurate, fast, not slow\n");
+    expectRefused({"bench", "accuracy", "--scenes", "stack-12"}, " names, not stack-12; did you mean stack-1");
+    expectRefused({"run", scene_, "--precision", "f16"}, "swept: --precision: must be one of f32, f64, not f16");
+    expectRefused({"distance", "--precision", "f16"}, "swept: --precision: must be one of f32, f64, not f16");
+    expectRefused({"toi", "--generate", "nothing"}, "swept: --generate: must be one of generic, ");
+    expectRefused({"envelope", "--slice", "nothing"}, "swept: --slice: must be one of ");
+    expectRefused({"run", scene_, "--threads", "0"}, "swept: --threads: must be between 1 and ");
+    expectRefused({"bench", "world", "--size", "0"}, "swept: --size: must be between 1e-04 and 100, not 0\n");
+    expectRefused({"bench", "toi", "--seed", "-1"},
+                  "swept: --seed: must be a whole number, written in digits, not -1\n");
+    expectRefused({"toi", "--generate", "generic", "--count", "0"}, "swept: --count: must be at least 1, not 0\n");
+}
+
+/// No list of ninety names among the options; what is no name lists them.
+TEST_F(CommandError, HelpStaysShort) {
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"bench", "world"}, {"bench", "accuracy"}, {"bench", "threads"}, {"run"}}) {
+        std::vector<std::string> arguments = command;
+        arguments.emplace_back("--help");
+        const std::string help = runSwept(arguments).out;
+        std::size_t lists = 0;
+        for (std::size_t at = help.find('{'); at != std::string::npos; at = help.find('{', at + 1), ++lists) {
+            EXPECT_LT(help.find('}', at) - at, 90u) << help.substr(at, 200);
+        }
+        EXPECT_GT(lists, 0u) << command.back();
+    }
+    expectRefused({"bench", "accuracy", "--scenes", "*"}, "must be one of stacks, stack-10, stack-50, ");
 }
 
 TEST_F(CommandError, TuneWithoutAnErrorToKeep) { expectRefused({"tune", scene_}, "--max-error"); }

@@ -54,7 +54,13 @@ TEST_F(CommandJson, OfARunIsTheReport) {
     expectHead(json, 80);
     EXPECT_EQ(json.at("precision"), "f32");
     EXPECT_FALSE(json.contains("from"));
-    EXPECT_EQ(jsonOf({"run", scene_, "--steps", "80", "--from", "0.25"}).at("from"), 0.25);
+    const Json later = jsonOf({"run", scene_, "--steps", "80", "--from", "0.25"});
+    EXPECT_EQ(later.at("from"), 0.25);
+    // One ball, which does not sleep: its sum is the number of steps.
+    for (const Json& report : {json, later}) {
+        EXPECT_EQ(report.at("counters").at("awakeBodies"), report.at("countersSummedOverSteps")) << report;
+    }
+    EXPECT_EQ(later.at("countersSummedOverSteps"), 64);
     EXPECT_EQ(jsonOf({"run", "pyramid", "--steps", "1"}).at("source"), "pyramid");
 }
 
@@ -83,8 +89,8 @@ TEST_F(CommandJson, OfModes) {
     EXPECT_GT(json["modes"][0].at("cost"), 0);
     const Json& subStep = json["modes"][4];
     const Json report = Json::parse(runSwept({"run", scene_, "--steps", "80", "--report", "-"}).out);
-    for (const char* const same : {"finite", "counters", "lostTime", "deepestPenetration", "energy", "momentum",
-                                   "angularMomentum", "stateHash", "largestJointError"}) {
+    for (const char* const same : {"finite", "counters", "countersSummedOverSteps", "lostTime", "deepestPenetration",
+                                   "energy", "momentum", "angularMomentum", "stateHash", "largestJointError"}) {
         EXPECT_EQ(subStep.at(same), report.at(same)) << same;
     }
     EXPECT_FALSE(jsonOf({"modes", scene_, "--steps", "0"}).at("modes").at(0).contains("cost"));
@@ -101,6 +107,7 @@ TEST_F(CommandJson, OfComparisons) {
     EXPECT_EQ(json["deviations"][20].at("energy").at("ours"), json.at("ours").at("energy").at("end"));
     EXPECT_EQ(json.at("box2d").at("engine"), "Box2D 2.4.1");
     EXPECT_TRUE(json["box2d"].contains("deepestPenetration"));
+    EXPECT_EQ(json["ours"].at("countersSummedOverSteps"), 80);
     EXPECT_FALSE(json["box2d"].contains("lostTime")) << "it keeps no book";
     EXPECT_GT(json["box2d"].at("differences").size(), 3u);
     EXPECT_FALSE(jsonOf({"compare", scene_, "--steps", "4", "--scale", "9"}).contains("firstBeyond"));

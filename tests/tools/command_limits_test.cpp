@@ -96,8 +96,11 @@ TEST_F(CommandLimits, NamesOfFiles) {
 }
 
 TEST_F(CommandLimits, PicturesThatNobodyAskedFor) {
-    expectRunRefused({"--every", "3"}, "--every, --size, --view and --follow need --png or --webp");
-    expectRunRefused({"--size", "100x100"}, "--every, --size, --view and --follow need --png or --webp");
+    expectRunRefused({"--every", "3"}, "swept: --every needs --png or --webp\n");
+    expectRunRefused({"--size", "100x100"}, "swept: --size needs --png or --webp\n");
+    expectRunRefused({"--view", "0,0,5"}, "swept: --view needs --png or --webp\n");
+    expectRunRefused({"--follow", "ball"}, "swept: --follow needs --png or --webp\n");
+    expectRunRefused({"--size", "1x"}, "swept: --size 1x: expected WIDTHxHEIGHT in pixels");
 }
 
 TEST_F(CommandLimits, CommandsBelowOthers) {

@@ -30,7 +30,7 @@ TEST(CommandModes, TellsTheChangeOfEnergy) {
         const ProgramResult result =
             runSwept({"modes", "-", "--steps", "1", "--set", "/bodies/0/velocity=" + std::string(velocity)}, scene);
         EXPECT_EQ(result.exitCode, 0) << result.err;
-        EXPECT_NE(result.out.find("energy gained (J)"), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("energy change (J)"), std::string::npos) << result.out;
         EXPECT_NE(result.out.find("off                0        0        0          0                  0 "),
                   std::string::npos)
             << result.out;

@@ -35,6 +35,19 @@ TEST(CommandScenes, ListsEveryScene) {
     EXPECT_GE(builtinScenes().size(), 10u);
 }
 
+/// Every command runs a built-in scene for as long as the list says, and any other for ten seconds.
+TEST(CommandScenes, RunForAsLongAsTheListSays) {
+    EXPECT_NE(runSwept({"scenes"}).out.find("pass through it (1 s)\n"), std::string::npos);
+    const auto run = runSwept({"run", "continuous-off"});
+    EXPECT_NE(run.out.find(": 60 steps of 0.01667 s = 1 s,"), std::string::npos) << run.out;
+    EXPECT_NE(runSwept({"modes", "continuous-off"}).out.find("continuous-off: 60 steps"), std::string::npos);
+    const auto longer = runSwept({"run", "continuous-off", "--duration", "2"});
+    EXPECT_NE(longer.out.find(": 120 steps "), std::string::npos) << longer.out;
+    const std::string scene = runSwept({"scenes", "--json", "continuous-off"}).out;
+    const auto piped = runSwept({"run", "-"}, scene);
+    EXPECT_NE(piped.out.find(": 600 steps "), std::string::npos) << piped.out;
+}
+
 TEST(CommandScenes, PrintsASceneThatReadsBack) {
     for (const BuiltinScene& scene : builtinScenes()) {
         const auto result = runSwept({"scenes", "--json", scene.name});
@@ -60,6 +73,7 @@ TEST(CommandHelp, NamesCommandsAndOptions) {
           "--events", "--report", "--precision", "--threads", "--contacts", "--velocities", "--ghosts"}) {
         EXPECT_NE(runHelp.out.find(word), std::string::npos) << word;
     }
+    EXPECT_NE(runHelp.out.find("Another name of --report"), std::string::npos) << runHelp.out;
     EXPECT_EQ(runSwept({"--version"}).out.substr(0, 6), "swept ");
 }
 

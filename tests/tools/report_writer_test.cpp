@@ -44,6 +44,7 @@ TEST(ReportWriter, HoldsTheTotalsOfTheRun) {
     EXPECT_EQ(json.at("time"), 1.0);
     EXPECT_EQ(json.at("finite"), true);
     EXPECT_EQ(json.at("counters").at("contacts").dump(), "7");
+    EXPECT_EQ(json.at("countersSummedOverSteps"), 8);
     ASSERT_EQ(json.at("lostTime").size(), 1u);
     EXPECT_EQ(json.at("lostTime")[0].at("body"), "ball");
     EXPECT_EQ(json.at("lostTime")[0].at("seconds"), 0.5);
@@ -55,6 +56,14 @@ TEST(ReportWriter, HoldsTheTotalsOfTheRun) {
     EXPECT_EQ(json.at("momentum").at("end"), (nlohmann::json{3, 4}));
     EXPECT_EQ(json.at("angularMomentum").at("end"), -5);
     EXPECT_EQ(json.at("stateHash"), "0123456789abcdef");
+}
+
+TEST(ReportWriter, CountsTheStepsThatItIsAbout) {
+    RunFacts facts{"e", "f32", 8};
+    facts.from = 3;
+    const auto json = nlohmann::json::parse(reportText(smallScene(), smallReport(), facts));
+    EXPECT_EQ(json.at("steps"), 8);
+    EXPECT_EQ(json.at("countersSummedOverSteps"), 5);
 }
 
 TEST(ReportWriter, TellsWhereAndWhenTheLargestErrorsWere) {

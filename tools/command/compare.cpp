@@ -197,9 +197,9 @@ std::string comparisonJson(const LoadedScene& loaded, Comparison& found, const R
         json["firstBeyond"] = ReportJson{{"step", found.firstBeyond}, {"time", time}};
     }
     json["deviations"] = std::move(found.table);
-    addTotals(json["ours"], loaded.scene, ours.report());
+    addTotals(json["ours"], loaded.scene, ours.report(), found.steps);
     json["box2d"]["engine"] = "Box2D 2.4.1";
-    addTotals(json["box2d"], loaded.scene, theirs.report());
+    addTotals(json["box2d"], loaded.scene, theirs.report(), found.steps);
     json["box2d"].erase("lostTime");  // it keeps no book of that
     if (theirs.aborted()) { json["box2d"]["aborted"] = *theirs.aborted(); }
     json["box2d"]["differences"] = theirs.approximations();
@@ -209,11 +209,11 @@ std::string comparisonJson(const LoadedScene& loaded, Comparison& found, const R
 std::unique_ptr<SceneRenderer> makeOverlayRenderer(const LoadedScene& loaded, const CompareArguments& arguments,
                                                    std::string& error) {
     PictureSize size;
+    if (!parseSize(arguments.size.empty() ? kOverlaySize : arguments.size, size, error)) { return nullptr; }
     if (arguments.png.empty()) {
         error = faultWithoutPicture(arguments.size, arguments.camera);
         return nullptr;
     }
-    if (!parseSize(arguments.size.empty() ? kOverlaySize : arguments.size, size, error)) { return nullptr; }
     const auto camera = cameraOf(arguments.camera, loaded.scene, error);
     if (!camera) { return nullptr; }
     RenderOptions options;

@@ -90,7 +90,7 @@ bool runMode(const LoadedScene& loaded, SceneContinuous mode, ModeRun& run, std:
 
 void printTable(std::ostream& out, const LoadedScene& loaded, const std::vector<ModeRun>& runs) {
     out << loaded.source << ": " << countText(loaded.steps, "step") << " in each mode\n"
-        << "mode         impacts   sweeps      TOI  lost (ms)  energy gained (J)  deepest (mm)  us a step\n";
+        << "mode         impacts   sweeps      TOI  lost (ms)  energy change (J)  deepest (mm)  us a step\n";
     for (const ModeRun& run : runs) {
         const auto steps = static_cast<double>(std::max<std::int64_t>(loaded.steps, 1));
         // No part of what there was: where energy counts from, and with it that part, is anyone's choice.
@@ -113,7 +113,7 @@ std::string modesJson(const LoadedScene& loaded, const std::vector<ModeRun>& run
         entry["continuous"] = run.name;
         const double simulated = static_cast<double>(loaded.steps) * loaded.scene.settings.dt;
         if (simulated > 0) { entry["cost"] = run.seconds / simulated; }
-        addTotals(entry, loaded.scene, run.report);
+        addTotals(entry, loaded.scene, run.report, loaded.steps);
         json["modes"].push_back(std::move(entry));
     }
     return jsonText(json);

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -47,16 +48,52 @@ std::string faultOfNumber(const std::string& text) {
 
 std::string faultOfText(const std::string& text) { return text.empty() ? "must not be empty" : ""; }
 
-/// One of what a list has that takes long to make: it is made when it is asked for.
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) { text += (text.empty() ? "" : ", ") + name; }
+    return text;
+}
+
+/// A list that is longer than this is no help among the other options.
+constexpr std::size_t kLongestList = 80;
+
+/// `; did you mean "run"?`, or nothing.
+std::string nearestOf(const std::string& word, const std::vector<std::string>& names) {
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string_view nearest = nearestName(word, known);
+    return nearest.empty() ? "" : "; did you mean " + std::string(nearest) + '?';
+}
+
+/// One of what a list has. The list may take long to make: that is done when it is asked for.
 class MemberOfList : public CLI::Validator {
 public:
     using List = std::function<std::vector<std::string>()>;
 
     explicit MemberOfList(const List& list) {
-        desc_function_ = [list] { return CLI::IsMember(list()).get_description(); };
-        func_ = [list](std::string& value) { return CLI::IsMember(list())(value); };
+        desc_function_ = [list] {
+            const std::vector<std::string> names = list();
+            const std::string all = joined(names);
+            return all.size() <= kLongestList
+                       ? '{' + all + '}'
+                       : '{' + std::to_string(names.size()) + " names: any other word lists them}";
+        };
+        func_ = [list](std::string& value) {
+            const std::vector<std::string> names = list();
+            const bool isNamed = std::find(names.begin(), names.end(), value) != names.end();
+            return isNamed ? "" : mustBeOneOf(names, value);
+        };
     }
 };
+
+/// @param hasMost  whether the upper bound is one, and not just the end of what numbers can be
+std::string outOfRange(const std::string& text, const std::string& least, const std::string& most, bool hasMost) {
+    return "must be " + (hasMost ? "between " + least + " and " + most : "at least " + least) + ", not " + text;
+}
+
+/// Of the help.
+std::string rangeText(const std::string& least, const std::string& most, bool hasMost) {
+    return hasMost ? least + " to " + most : "at least " + least;
+}
 
 template <class T>
 struct ValueOf {
@@ -67,13 +104,6 @@ struct ValueOf<std::optional<T>> {
     using Type = T;
 };
 
-/// `; did you mean "run"?`, or nothing.
-std::string nearestOf(const std::string& word, const std::vector<std::string>& names) {
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    const std::string_view nearest = nearestName(word, known);
-    return nearest.empty() ? "" : "; did you mean " + std::string(nearest) + '?';
-}
-
 /// Those that the help lists.
 std::vector<std::string> namesOfCommands(const CLI::App& app) {
     std::vector<std::string> names;
@@ -83,12 +113,17 @@ std::vector<std::string> namesOfCommands(const CLI::App& app) {
     return names;
 }
 
-/// "--steps" and so on, of the command that was named.
-std::vector<std::string> namesOfOptions(const CLI::App& program) {
+/// The command that was named.
+const CLI::App& namedCommand(const CLI::App& program) {
     const CLI::App* app = &program;
     while (!app->get_subcommands().empty()) { app = app->get_subcommands().front(); }
+    return *app;
+}
+
+/// "--steps" and so on, of the command that was named.
+std::vector<std::string> namesOfOptions(const CLI::App& program) {
     std::vector<std::string> names;
-    for (const CLI::Option* const option : app->get_options()) {
+    for (const CLI::Option* const option : namedCommand(program).get_options()) {
         for (const std::string& name : option->get_lnames()) { names.push_back("--" + name); }
     }
     return names;
@@ -125,6 +160,14 @@ std::string faultOfCommand(const CLI::App& program, const std::vector<std::strin
     return app->get_require_subcommand_min() == 0 ? "" : "no command given" + listedBy(path);
 }
 
+/// "; did you mean --json WORD?" of a word beside the only option that takes any; or nothing.
+std::string optionForWord(const CLI::App& program, const std::string& word) {
+    const auto takesWords = [](const CLI::Option* option) { return option->get_items_expected_max() > 0; };
+    const auto options = namedCommand(program).get_options(takesWords);
+    const bool isOnlyOne = options.size() == 1 && options[0]->nonpositional() && options[0]->count() == 0;
+    return isOnlyOne ? "; did you mean " + options[0]->get_name() + ' ' + word + '?' : "";
+}
+
 /// The first argument that nothing took; the library lists them all, from the back. Empty: there is none.
 std::string faultOfLeftOver(const CLI::App& program, const std::vector<std::string>& arguments) {
     const std::vector<std::string> leftOver = program.remaining(true);
@@ -138,8 +181,9 @@ std::string faultOfLeftOver(const CLI::App& program, const std::vector<std::stri
         const std::string name = first->substr(0, first->find('='));
         return name + ": no such option" + nearestOf(name, namesOfOptions(program));
     }
+    const std::string option = optionForWord(program, *first);
     return *first + ": one argument too many" +
-           (program.get_subcommands().empty() ? "" : " (--help tells which there are)");
+           (program.get_subcommands().empty() || !option.empty() ? option : " (--help tells which there are)");
 }
 
 /// What was written to a pipe that nobody reads, or to a disk that is full, is lost: a success must not be claimed.
@@ -150,30 +194,46 @@ int withOutputWritten(int exitCode) {
 
 }  // namespace
 
+std::string mustBeOneOf(const std::vector<std::string>& names, const std::string& value) {
+    const std::string nearest = nearestOf(value, names);
+    const std::string all = joined(names);
+    const bool isShort = nearest.empty() || all.size() <= kLongestList;
+    return "must be one of " + (isShort ? all : std::to_string(names.size()) + " names") + ", not " + value + nearest;
+}
+
 Option Option::type(const std::string& name) const {
     option_->type_name(name);
     return *this;
 }
 
 Option Option::within(std::int64_t least, std::int64_t most) const {
-    option_->check(CLI::Range(least, most));
-    // The library takes the largest there is for what is larger still, which unsigned values can be.
-    option_->check(faultOfWholeNumber<std::int64_t>, "");
+    const bool hasMost = most < std::numeric_limits<int>::max();
+    const auto fault = [=](const std::string& text) {
+        // The library takes the largest there is for what is larger still, which unsigned values can be.
+        std::string wrong = faultOfWholeNumber<std::int64_t>(text);
+        if (!wrong.empty()) { return wrong; }
+        const std::int64_t number = std::strtoll(text.c_str(), nullptr, 10);
+        return number < least || number > most ? outOfRange(text, std::to_string(least), std::to_string(most), hasMost)
+                                               : wrong;
+    };
+    option_->check(fault, rangeText(std::to_string(least), std::to_string(most), hasMost));
     return *this;
 }
 
 Option Option::withinReals(double least, double most) const {
-    option_->check(CLI::Range(least, most));
-    // "nan" is a number to the range, and neither below nor above it.
-    option_->check([](const std::string& text) {
-        return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is not a number" : std::string();
-    });
+    const auto fault = [=](const std::string& text) {
+        const double number = std::strtod(text.c_str(), nullptr);
+        // "nan" is a number, and neither below nor above anything.
+        if (std::isnan(number)) { return text + " is not a number"; }
+        return number < least || number > most ? outOfRange(text, shortestNumber(least), shortestNumber(most), true)
+                                               : std::string();
+    };
+    option_->check(fault, rangeText(shortestNumber(least), shortestNumber(most), true));
     return *this;
 }
 
 Option Option::oneOf(const std::vector<std::string>& values) const {
-    option_->check(CLI::IsMember(values));
-    return *this;
+    return oneOf([values] { return values; });
 }
 
 Option Option::oneOf(const std::function<std::vector<std::string>()>& list) const {

@@ -12,6 +12,10 @@ class Option;
 
 namespace swept {
 
+/// "must be one of f32, f64, not f16", for what is refused after the name of its option. Of a long list only how many
+/// there are, when one of them is near.
+std::string mustBeOneOf(const std::vector<std::string>& names, const std::string& value);
+
 /// One option of a command. A handle: cheap to copy, valid as long as its program.
 class Option {
 public:

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -165,6 +166,24 @@ void warnOfSlowMotion(const PictureArguments& arguments, StepSpan span, double d
               << roundedText(std::ceil(0.001 / dt), 9) << " shows real time\n";
 }
 
+/// The first option that was given of those that say how to draw; null: none was.
+const char* drawingOption(const PictureArguments& arguments) {
+    const std::pair<const char*, bool> options[] = {
+        {"--trails", arguments.trails},
+        {"--contacts", arguments.contacts},
+        {"--velocities", arguments.velocities},
+        {"--ghosts", arguments.ghosts},
+        {"--sweeps", arguments.sweeps},
+        {"--labels", arguments.labels},
+        {"--every", arguments.every.has_value()},
+        {"--size", !arguments.size.empty()},
+        {"--view", !arguments.camera.view.empty()},
+        {"--follow", !arguments.camera.follow.empty()},
+    };
+    const auto given = std::find_if(std::begin(options), std::end(options), [](const auto& o) { return o.second; });
+    return given == std::end(options) ? nullptr : given->first;
+}
+
 /// What is wrong with the arguments themselves; empty when nothing is.
 std::string faultOf(const PictureArguments& arguments, double duration) {
     if (arguments.every.value_or(1) < 1) { return "--every: must be at least 1"; }
@@ -178,14 +197,8 @@ std::string faultOf(const PictureArguments& arguments, double duration) {
     }
     if (const std::string fault = endingFault("--webp", arguments.webp, "WebP"); !fault.empty()) { return fault; }
     const bool draws = !arguments.directory.empty() || !arguments.webp.empty();
-    const bool hasMarks = arguments.trails || arguments.contacts || arguments.velocities || arguments.ghosts ||
-                          arguments.sweeps || arguments.labels;
-    if (!draws && hasMarks) {
-        return "--trails, --contacts, --velocities, --ghosts, --sweeps and --labels need --png or --webp";
-    }
-    const bool hasCamera = !arguments.camera.view.empty() || !arguments.camera.follow.empty();
-    if (!draws && (arguments.every || !arguments.size.empty() || hasCamera)) {
-        return "--every, --size, --view and --follow need --png or --webp";
+    if (const char* const option = drawingOption(arguments); !draws && option != nullptr) {
+        return std::string(option) + " needs --png or --webp";
     }
     if (!arguments.webp.empty() && duration * 1000 > std::numeric_limits<int>::max() / 2.0) {
         return "--webp: the run is too long for an animation";
@@ -287,11 +300,11 @@ void printPicturePlaces(std::ostream& out, const PictureArguments& arguments, St
 
 std::unique_ptr<PictureOutput> makePictureOutput(const SceneDescription& scene, const PictureArguments& arguments,
                                                  const Camera& camera, StepSpan span, std::string& error) {
-    error = faultOf(arguments, static_cast<double>(span.last - span.first) * scene.settings.dt);
     PictureSize size;
-    if (!error.empty() || !parseSize(arguments.size.empty() ? kDefaultSize : arguments.size, size, error)) {
-        return nullptr;
-    }
+    // First: that a value makes no sense is worth more than that the option does not either.
+    if (!parseSize(arguments.size.empty() ? kDefaultSize : arguments.size, size, error)) { return nullptr; }
+    error = faultOf(arguments, static_cast<double>(span.last - span.first) * scene.settings.dt);
+    if (!error.empty()) { return nullptr; }
     if (arguments.directory.empty() && arguments.webp.empty()) { return nullptr; }
     warnOfSlowMotion(arguments, span, scene.settings.dt);
     auto pictures = std::make_unique<Pictures>(arguments, span, scene.settings.dt);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "../toi/query_lines.h"
 #include "../toi/toi_families.h"
@@ -20,7 +21,7 @@ struct QueryArguments {
     std::string file;
     std::string anatomy;
     std::string method = "certified";
-    std::string precision = "f64";
+    std::string precision = "f64";  ///< or "f32"
 };
 
 struct GenerateArguments {
@@ -30,12 +31,6 @@ struct GenerateArguments {
 };
 
 using Answerer = std::function<LineAnswer(std::string_view)>;
-
-std::optional<Precision> precisionFrom(const std::string& name) {
-    if (name == "f32") { return Precision::f32; }
-    if (name == "f64") { return Precision::f64; }
-    return std::nullopt;
-}
 
 /// Opens the file, or takes standard input, and hands it on.
 int withLines(const std::string& path, const std::function<int(std::istream&)>& read) {
@@ -75,9 +70,9 @@ int drawFirst(const QueryArguments& arguments) {
     });
 }
 
-std::string methodNames() {
-    std::string names;
-    for (const ToiMethodInfo& info : kToiMethods) { names += (names.empty() ? "" : ", ") + std::string(info.name); }
+std::vector<std::string> methodNames() {
+    std::vector<std::string> names;
+    for (const ToiMethodInfo& info : kToiMethods) { names.emplace_back(info.name); }
     return names;
 }
 
@@ -92,28 +87,26 @@ std::string methodHelp() {
 
 int answerToi(const QueryArguments& arguments) {
     const std::optional<ToiMethod> method = toiMethodFrom(arguments.method);
-    if (!method) { return refuse("--method " + arguments.method + ": must be one of " + methodNames()); }
+    if (!method) { return refuse("--method: " + mustBeOneOf(methodNames(), arguments.method)); }
     if (!arguments.anatomy.empty()) { return drawFirst(arguments); }
     return answerAll(arguments.file, [method](std::string_view line) { return answerToiLine(line, *method); });
 }
 
 int answerDistance(const QueryArguments& arguments) {
-    if (arguments.method != "gjk") { return refuse("--method " + arguments.method + ": must be gjk"); }
-    const std::optional<Precision> precision = precisionFrom(arguments.precision);
-    if (!precision) { return refuse("--precision: must be f32 or f64"); }
+    const Precision precision = arguments.precision == "f32" ? Precision::f32 : Precision::f64;
     return answerAll(arguments.file,
-                     [precision](std::string_view line) { return answerDistanceLine(line, *precision); });
+                     [precision](std::string_view line) { return answerDistanceLine(line, precision); });
 }
 
-std::string familyNames() {
-    std::string names;
-    for (const ToiFamily family : kToiFamilies) { names += (names.empty() ? "" : ", ") + std::string(nameOf(family)); }
+std::vector<std::string> familyNames() {
+    std::vector<std::string> names;
+    for (const ToiFamily family : kToiFamilies) { names.emplace_back(nameOf(family)); }
     return names;
 }
 
 int generateToi(const GenerateArguments& arguments) {
     const std::optional<ToiFamily> family = toiFamilyFrom(arguments.family);
-    if (!family) { return refuse("--generate " + arguments.family + ": must be one of " + familyNames()); }
+    if (!family) { return refuse("--generate: " + mustBeOneOf(familyNames(), arguments.family)); }
     const std::string start = arguments.family + '-' + std::to_string(arguments.seed) + '-';
     for (int index = 0; index < arguments.count && std::cout; ++index) {
         const ToiQuery query = makeToiCase(*family, arguments.seed, static_cast<std::uint64_t>(index));
@@ -124,8 +117,10 @@ int generateToi(const GenerateArguments& arguments) {
 
 /// Options that print queries instead of answering them. @return the one that asks for it
 Option addGenerateOptions(Command toi, GenerateArguments& arguments) {
+    std::string families;
+    for (const std::string& name : familyNames()) { families += (families.empty() ? "" : ", ") + name; }
     const Option generate =
-        toi.option("--generate", arguments.family, "Print queries of a family: " + familyNames()).type("FAMILY");
+        toi.option("--generate", arguments.family, "Print queries of a family: " + families).type("FAMILY");
     toi.option("--count", arguments.count, "How many [100]")
         .type("N")
         .within(1, std::numeric_limits<int>::max())
@@ -162,10 +157,10 @@ void addQueryCommands(Command app) {
 
     const Command distance = app.command("distance", "Answer distance queries (poses at fraction 0)");
     const auto distanceArguments = std::make_shared<QueryArguments>();
-    distanceArguments->method = "gjk";
     addFileOption(distance, *distanceArguments);
-    distance.option("--method", distanceArguments->method, "gjk [gjk]").type("NAME");
-    distance.option("--precision", distanceArguments->precision, "Build of the distance function [f64]").type("P");
+    distance.option("--precision", distanceArguments->precision, "Build of the distance function [f64]")
+        .type("P")
+        .oneOf({"f32", "f64"});
     distance.runs([distanceArguments] { return answerDistance(*distanceArguments); });
 }
 

@@ -116,7 +116,7 @@ void addRunOptions(Command command, RunArguments& arguments) {
         .oneValueEach();
     command.option("--events", arguments.events, "Contact, sensor and joint events as JSON lines, or -").type("FILE");
     command.option("--report", arguments.report, "Totals of the run as JSON, or -").type("FILE");
-    command.option("--json", arguments.json, "The same, under the name that other commands have for it").type("FILE");
+    command.option("--json", arguments.json, "Another name of --report, which other commands have, too").type("FILE");
     command
         .option("--write-scene", arguments.writtenScene,
                 "The scene as it is run, with what --set and --view change, as JSON, or -")
@@ -250,7 +250,7 @@ std::string withoutBlanks(const std::string& typed) {
 std::optional<std::vector<std::size_t>> csvBodiesOf(const RunArguments& arguments,
                                                     const std::vector<std::string>& names, std::string& error) {
     if (arguments.csv.empty() && (arguments.csvEvery || !arguments.csvBodies.empty())) {
-        error = "--csv-every and --csv-bodies need --csv";
+        error = std::string(arguments.csvEvery ? "--csv-every" : "--csv-bodies") + " needs --csv";
         return std::nullopt;
     }
     if (arguments.csvEvery.value_or(1) < 1) {

@@ -17,7 +17,7 @@
 namespace swept {
 namespace {
 
-constexpr double kDefaultDuration = 10;  // seconds
+constexpr double kDefaultDuration = 10;  // seconds; of a built-in scene what its list says
 constexpr const char* kStandardInput = "standard input";
 // Beyond 2^53 steps a step number is no longer exact as a double, and the time of a step with it.
 constexpr double kMostSteps = 9007199254740992.0;
@@ -67,7 +67,8 @@ SceneResult readStandardInput(const std::vector<Override>& overrides) {
     return readScene(text.str(), kStandardInput, overrides);
 }
 
-SceneResult readSource(const SceneArguments& arguments, const std::vector<Override>& overrides) {
+/// @param duration  of a built-in scene becomes what shows it all, as "swept scenes" lists it
+SceneResult readSource(const SceneArguments& arguments, const std::vector<Override>& overrides, double& duration) {
     if (arguments.scene == "-") { return readStandardInput(overrides); }
     std::error_code failure;
     const std::filesystem::file_status status = std::filesystem::status(arguments.scene, failure);
@@ -75,6 +76,7 @@ SceneResult readSource(const SceneArguments& arguments, const std::vector<Overri
         return readSceneFile(arguments.scene, overrides);
     }
     if (const BuiltinScene* const builtin = findBuiltinScene(arguments.scene)) {
+        duration = builtin->duration;
         return readScene(writeScene(builtin->make()), arguments.scene, overrides);
     }
     // It is not known to be missing: a folder on the way may not be entered, or a link leads nowhere.
@@ -86,7 +88,8 @@ SceneResult readSource(const SceneArguments& arguments, const std::vector<Overri
 }
 
 /// round(S / dt), or the number of steps asked for.
-std::optional<std::int64_t> stepsOf(const SceneArguments& arguments, double dt, std::string& error) {
+/// @param shown  S where none is given, s
+std::optional<std::int64_t> stepsOf(const SceneArguments& arguments, double shown, double dt, std::string& error) {
     if (arguments.steps) {
         if (*arguments.steps < 0) {
             error = "--steps: must not be negative";
@@ -99,7 +102,7 @@ std::optional<std::int64_t> stepsOf(const SceneArguments& arguments, double dt, 
         }
         return arguments.steps;
     }
-    const double duration = arguments.duration.value_or(kDefaultDuration);
+    const double duration = arguments.duration.value_or(shown);
     if (!std::isfinite(duration) || duration < 0) {
         error = "--duration: must be a finite number of seconds, at least 0";
         return std::nullopt;
@@ -124,7 +127,10 @@ void addSceneArguments(Command command, SceneArguments& arguments) {
                 "A scene file, \"-\" for standard input, or the name of a built-in scene (see: swept scenes)")
         .type("SCENE")
         .required();
-    command.option("--duration", arguments.duration, "Simulated time; runs round(S/dt) steps [10]").type("S");
+    command
+        .option("--duration", arguments.duration,
+                "Simulated time; runs round(S/dt) steps [10; of a built-in scene what \"swept scenes\" lists]")
+        .type("S");
     command.option("--steps", arguments.steps, "Number of steps, instead of --duration").type("N");
     command
         .option("--set", arguments.overrides,
@@ -136,7 +142,7 @@ void addSceneArguments(Command command, SceneArguments& arguments) {
 }
 
 void addPrecisionArgument(Command command, SceneArguments& arguments) {
-    command.option("--precision", arguments.precision, "Build of the engine: f32 or f64 [f32]").type("P");
+    command.option("--precision", arguments.precision, "Build of the engine [f32]").type("P").oneOf({"f32", "f64"});
 }
 
 std::optional<LoadedScene> loadScene(const SceneArguments& arguments, std::string& error) {
@@ -144,18 +150,15 @@ std::optional<LoadedScene> loadScene(const SceneArguments& arguments, std::strin
         error = "--duration and --steps: give one of them, not both";
         return std::nullopt;
     }
-    if (arguments.precision != "f32" && arguments.precision != "f64") {
-        error = "--precision: must be f32 or f64";
-        return std::nullopt;
-    }
     const auto overrides = splitOverrides(arguments.overrides, error);
     if (!overrides) { return std::nullopt; }
-    SceneResult result = readSource(arguments, *overrides);
+    double duration = kDefaultDuration;
+    SceneResult result = readSource(arguments, *overrides, duration);
     if (!result.scene) {
         error = result.error.reason.empty() ? unknownScene(arguments.scene) : result.error.text();
         return std::nullopt;
     }
-    const auto steps = stepsOf(arguments, result.scene->settings.dt, error);
+    const auto steps = stepsOf(arguments, duration, result.scene->settings.dt, error);
     if (!steps) { return std::nullopt; }
     std::error_code ignored;
     const bool isInput = arguments.scene == "-";

@@ -19,8 +19,8 @@ struct SceneArguments {
     std::optional<double> duration;      ///< seconds
     std::optional<std::int64_t> steps;   ///< excludes `duration`
     std::vector<std::string> overrides;  ///< "/pointer=value", as typed
-    std::string precision = "f32";
-    bool isRun = true;  ///< false: the scene is only looked at, however many steps it would be run for
+    std::string precision = "f32";       ///< or "f64"
+    bool isRun = true;                   ///< false: the scene is only looked at, however many steps it would be run for
 };
 
 void addSceneArguments(Command command, SceneArguments& arguments);

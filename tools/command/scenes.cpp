@@ -30,7 +30,7 @@ int printScene(const std::string& name) {
     }
     const std::string nearest = nearestSceneName(name);
     return refuse(name + ": no built-in scene of that name" +
-                  (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
+                  (nearest.empty() ? " (\"swept scenes\" lists them)" : "; did you mean \"" + nearest + "\"?"));
 }
 
 }  // namespace

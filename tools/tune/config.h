@@ -36,6 +36,9 @@ struct Config {
     bool operator==(const Config&) const = default;
 };
 
+/// Whether mode `a` keeps more out of walls than `b`, or does so with less harm: the format lists them by that.
+inline bool isStronger(SceneContinuous a, SceneContinuous b) { return a > b; }
+
 /// What the scene itself asks for, in single precision; a profile is spelled out as sub-steps and passes.
 Config ownConfig(const SceneDescription& scene);
 /// The scene with these settings; sleep as it was.

@@ -18,6 +18,9 @@ struct Row {
     measures::Values errors;
 };
 
+/// Work of the same engine within this factor counts as equal: what is counted leaves out as much.
+inline constexpr double kWorkNoise = 1.05;
+
 /// The scene and the length that rows belong to.
 struct Subject {
     SceneDescription scene;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "../inspect/inspect_scene.h"
 #include "../measures/scene_size.h"
@@ -115,11 +116,12 @@ private:
         return changes;
     }
 
-    /// Of each kind the change that holds with the least work, all at once.
+    /// Of each kind the change that holds with the least work, all at once. What saves next to nothing is left as it
+    /// is: a weaker mode, or a coarser tolerance, is not to be had for that.
     Config together(const Config& base, const std::vector<std::vector<Config>>& changes) const {
         Config best = base;
         for (const std::vector<Config>& change : changes) {
-            double least = knownOf(base).work;
+            double least = knownOf(base).work / kWorkNoise;
             for (const Config& config : change) {
                 const Known found = knownOf(config);
                 if (!found.holds || found.work >= least) { continue; }
@@ -178,12 +180,22 @@ std::vector<Config> nextOf(const Track& track, const Subject& subject, const Sea
 
 std::vector<Config> lastOf(const Subject& subject, const SearchSpace& space, const std::vector<Limit>& limits,
                            const Knowledge& known) {
-    const Row* best = nullptr;
     const SceneBroadphase own = subject.scene.settings.broadphase;
+    std::vector<const Row*> keeping;
+    double least = std::numeric_limits<double>::infinity();
     for (const Row& row : known.rows) {
-        const bool counts =
-            isOurs(row.config.engine) && row.config.broadphase == own && holds(strain(row, limits, known.uncertainty));
-        if (counts && (best == nullptr || row.work < best->work)) { best = &row; }
+        if (isOurs(row.config.engine) && row.config.broadphase == own &&
+            holds(strain(row, limits, known.uncertainty))) {
+            keeping.push_back(&row);
+            least = std::min(least, row.work);
+        }
+    }
+    const Row* best = nullptr;
+    for (const Row* const row : keeping) {
+        if (row->work > kWorkNoise * least) { continue; }
+        const bool isFirst = best == nullptr || isStronger(row->config.continuous, best->config.continuous);
+        const bool isCheaper = !isFirst && row->config.continuous == best->config.continuous && row->work < best->work;
+        if (isFirst || isCheaper) { best = row; }
     }
     std::vector<Config> wanted;
     for (const SceneBroadphase kind : space.broadphases) {

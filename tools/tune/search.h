@@ -31,7 +31,8 @@ std::vector<Track> allTracks();
 std::vector<Config> nextOf(const Track& track, const Subject& subject, const SearchSpace& space,
                            const std::vector<Limit>& limits, const Knowledge& known);
 
-/// When all tracks are done: other broadphases for the settings that keep the limits with the least work.
+/// When all tracks are done: other broadphases for the settings that keep the limits with the least work (of those with
+/// next to no more, the strongest continuous mode).
 std::vector<Config> lastOf(const Subject& subject, const SearchSpace& space, const std::vector<Limit>& limits,
                            const Knowledge& known);
 

@@ -27,10 +27,11 @@ std::string hertz(const Subject& subject, const Config& config) {
 
 std::string errorText(double value) { return std::isnan(value) ? "-" : roundedText(value, 2); }
 
-/// "37 %", "41 times".
+/// "37 %", "4100 %".
 std::string partText(double part) {
-    constexpr double kMostPercent = 10;
-    return part < kMostPercent ? roundedText(100 * part, 3) + " %" : roundedText(part, 2) + " times";
+    constexpr double kWhole = 100;  // percents from which on three digits are whole numbers
+    const double percents = 100 * part;
+    return (percents < kWhole ? roundedText(percents, 3) : roundedText(std::round(percents), 15)) + " %";
 }
 
 /// The error as a part of what is accepted. Of nothing there are no parts.
@@ -73,11 +74,21 @@ int changesOf(const Config& config, const Config& own) {
     return changes + (config.broadphase == own.broadphase ? 0 : 1);
 }
 
-/// Of two rows that cost the same, the one with fewer changes to the scene, or with less work, is to be preferred.
-bool isPlainer(const Row& a, const Row& b, const Config& own) {
+/// Of two rows that cost the same, the one to be preferred: it lets less through, or else has fewer changes to the
+/// scene, or less work. What a clock cannot tell apart must not talk anyone out of continuous collision.
+bool isPreferred(const Row& a, const Row& b, const Config& own) {
+    if (a.config.continuous != b.config.continuous) { return isStronger(a.config.continuous, b.config.continuous); }
     const int changesA = changesOf(a.config, own);
     const int changesB = changesOf(b.config, own);
     return changesA != changesB ? changesA < changesB : a.work < b.work;
+}
+
+/// Whether nothing repeatable says that the row is dearer than the cheapest one. What is counted leaves out what
+/// precisions and broadphases cost.
+bool costsTheSame(const Row& row, const Row& cheapest) {
+    if (row.cost <= kCostNoise * cheapest.cost) { return true; }
+    return row.config.engine == cheapest.config.engine && row.config.broadphase == cheapest.config.broadphase &&
+           row.work > 0 && row.work <= kWorkNoise * cheapest.work;
 }
 
 /// Rows of Box2D that no cheaper one of its own beats.
@@ -105,7 +116,7 @@ Verdict judge(const Subject& subject, const Knowledge& known, const std::vector<
     };
     std::stable_sort(verdict.order.begin(), verdict.order.end(), cheaper);
     double least = std::numeric_limits<double>::infinity();
-    double cheapest = 0;
+    const Row* cheapest = nullptr;
     for (const std::size_t i : verdict.order) {
         const Row& row = known.rows[i];
         const double part = strainOf(i);
@@ -118,11 +129,11 @@ Verdict judge(const Subject& subject, const Knowledge& known, const std::vector<
             }
         }
         if (!holds(part)) { continue; }
-        if (verdict.recommended < 0) {
+        if (cheapest == nullptr) {
+            cheapest = &row;
             verdict.recommended = static_cast<int>(i);
-            cheapest = row.cost;
-        } else if (row.cost <= kCostNoise * cheapest &&
-                   isPlainer(row, known.rows[static_cast<std::size_t>(verdict.recommended)], own)) {
+        } else if (costsTheSame(row, *cheapest) &&
+                   isPreferred(row, known.rows[static_cast<std::size_t>(verdict.recommended)], own)) {
             verdict.recommended = static_cast<int>(i);
         }
     }
@@ -157,14 +168,14 @@ void writeTable(std::ostream& out, const Subject& subject, const std::vector<Lim
 }
 
 std::string costText(double cost, double now, bool isKept) {
-    constexpr double kNoise = 0.1;
     if (!(cost > 0) || !(now > 0)) { return ""; }
     const double part = cost / now;
-    const bool isEqual = std::fabs(part - 1) <= kNoise;
+    const bool isEqual = part <= kCostNoise && part >= 1 / kCostNoise;
     if (isEqual && isKept) { return ": no saving that could be measured"; }
     const std::string ratio =
         isEqual ? "about" : (part < 1 ? roundedText(part, 2) + " of" : roundedText(part, 3) + " times");
-    return ": " + ratio + " what the scene costs now" + (isKept ? "" : ", which does not keep these errors");
+    return ": " + ratio + " what the scene costs now" +
+           (isKept ? "" : " (as it is, the scene does not keep these errors)");
 }
 
 std::string settingsText(const Subject& subject, const Config& config) {

@@ -80,10 +80,11 @@ ReportJson headOf(const SceneDescription& scene, const RunFacts& facts) {
     return json;
 }
 
-void addTotals(ReportJson& json, const SceneDescription& scene, const RunReport& report) {
+void addTotals(ReportJson& json, const SceneDescription& scene, const RunReport& report, std::int64_t steps) {
     json["finite"] = report.finite;
     json["counters"] = ReportJson::object();
     for (const NamedNumber& counter : report.counters) { json["counters"][counter.name] = countOf(counter.value); }
+    json["countersSummedOverSteps"] = steps;
     json["lostTime"] = lostTimeOf(scene, report);
     if (const auto most = mostLostTime(report)) {
         json["mostLostTime"] =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -20,7 +21,8 @@ using ReportJson = nlohmann::ordered_json;
 ReportJson headOf(const SceneDescription& scene, const RunFacts& facts);
 
 /// What came out of a run: `finite`, `counters`, `lostTime`, `deepestPenetration` … `stateHash`.
-void addTotals(ReportJson& json, const SceneDescription& scene, const RunReport& report);
+/// @param steps  of which counters are the sums
+void addTotals(ReportJson& json, const SceneDescription& scene, const RunReport& report, std::int64_t steps);
 
 /// As used, with the keys of the scene format; optional ones only where given.
 ReportJson settingsJson(const SettingsDescription& settings);

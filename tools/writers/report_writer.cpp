@@ -41,7 +41,7 @@ std::optional<MostLostTime> mostLostTime(const RunReport& report) {
 
 std::string reportText(const SceneDescription& scene, const RunReport& report, const RunFacts& facts) {
     ReportJson json = headOf(scene, facts);
-    addTotals(json, scene, report);
+    addTotals(json, scene, report, facts.steps.value_or(facts.from) - facts.from);
     json["budgets"] = budgetsOf(scene.settings, report);
     json["gravity"] = ReportJson::array({scene.gravity.x, scene.gravity.y});
     json["settings"] = settingsJson(scene.settings);
