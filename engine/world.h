@@ -125,7 +125,7 @@ public:
     template <class Id, class Change>
     Status modify(Id id, const Change& change) {
         auto def = definition(id);
-        change(def);
+        if (isValid(id)) { change(def); }  // of a stale id it may not be what `change` expects
         return redefine(id, def);
     }
     /// Teleports a body of any type, its origin to `position` (world, metres) and turned to `angle` (rad): contacts

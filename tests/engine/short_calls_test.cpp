@@ -41,7 +41,9 @@ TEST(ShortCalls, ModifyChangesWhatItIsToldAndNothingElse) {
     must(world.modify(joint, [](AnyJointDef& d) { std::get<RevoluteJointDef>(d).motor = AngularMotor{2, 5}; }));
     EXPECT_TRUE(std::get<RevoluteJointDef>(world.definition(joint)).motor.has_value());
 
-    EXPECT_EQ(world.modify(BodyId{}, [](BodyDef&) {}).code, StatusCode::staleId);
+    EXPECT_EQ(world.modify(BodyId{}, [](BodyDef&) { FAIL() << "of nothing"; }).code, StatusCode::staleId);
+    EXPECT_EQ(world.modify(JointId{}, [](AnyJointDef& d) { std::get<WeldJointDef>(d).linearSpring = {}; }).code,
+              StatusCode::staleId);
     EXPECT_EQ(world.modify(shape, [](ShapeDef& d) { d.friction = -1; }).code, StatusCode::negative);
 }
 
