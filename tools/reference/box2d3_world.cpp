@@ -7,13 +7,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <numbers>
-#include <optional>
 #include <variant>
 #include <vector>
 
+#include "box2d3_joints.h"
+#include "box2d3_numbers.h"
 #include "box2d3_tasks.h"
 #include "joint_ends.h"
 
@@ -21,27 +20,6 @@
 
 namespace swept {
 namespace {
-
-// Above any sub-step rate: the engine takes the stiffest spring that it can solve.
-constexpr float kStiffHertz = 1e5F;
-
-b2Vec2 toPeer(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
-b2Pos toPeerPlace(DVec2 v) { return {static_cast<decltype(b2Pos::x)>(v.x), static_cast<decltype(b2Pos::y)>(v.y)}; }
-/// The engine's own function of the angle is off by up to a milliradian.
-b2Rot toPeer(double angle) { return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))}; }
-template <class Vector>
-DVec2 fromPeer(Vector v) {
-    return {static_cast<double>(v.x), static_cast<double>(v.y)};
-}
-float orElse(const std::optional<double>& value, float otherwise) {
-    return value ? static_cast<float>(*value) : otherwise;
-}
-
-/// What the engine refuses quietly is told like what it asserts.
-[[noreturn]] void refuse(const char* what) {
-    std::fputs(what, stderr);
-    std::abort();
-}
 
 /// Both rules of a surface are its material.
 constexpr unsigned kRuleBits = 8;
@@ -113,76 +91,6 @@ private:
     void addCapsule(const std::array<DVec2, 2>& points, double thickness) const {
         const b2Capsule capsule{toPeer(points[0]), toPeer(points[1]), static_cast<float>(thickness)};
         b2CreateCapsuleShape(body, &definition, &capsule);
-    }
-};
-
-struct JointMaker {
-    b2WorldId world;
-    b2BodyId bodyA;
-    b2BodyId bodyB;
-    bool collideConnected;
-    bool isStiff;
-
-    void operator()(const RevoluteDescription& revolute) const {
-        b2RevoluteJointDef definition = b2DefaultRevoluteJointDef();
-        placeTurned(definition.base, revolute);
-        definition.enableSpring = revolute.hertz.has_value();
-        definition.hertz = orElse(revolute.hertz, 0);
-        definition.dampingRatio = orElse(revolute.dampingRatio, 0);
-        definition.targetAngle = orElse(revolute.springTarget, 0);
-        constexpr auto kHalfTurn = std::numbers::pi_v<float>;
-        definition.enableLimit = revolute.lower || revolute.upper;
-        definition.lowerAngle = orElse(revolute.lower, -kHalfTurn);
-        definition.upperAngle = orElse(revolute.upper, kHalfTurn);
-        definition.enableMotor = revolute.motorSpeed || revolute.maxMotorTorque;
-        definition.motorSpeed = orElse(revolute.motorSpeed, 0);
-        definition.maxMotorTorque = orElse(revolute.maxMotorTorque, 0);
-        b2CreateRevoluteJoint(world, &definition);
-    }
-    void operator()(const DistanceDescription& distance) const {
-        b2DistanceJointDef definition = b2DefaultDistanceJointDef();
-        place(definition.base, distance.anchorA, distance.anchorB);
-        definition.length = orElse(distance.length, static_cast<float>(length(distance.anchorB - distance.anchorA)));
-        // A spring of 0 Hz between limits is a rope; without either the joint is rigid.
-        definition.enableLimit = distance.minLength || distance.maxLength;
-        definition.enableSpring = distance.hertz || definition.enableLimit;
-        definition.hertz = orElse(distance.hertz, 0);
-        definition.dampingRatio = orElse(distance.dampingRatio, 0);
-        if (definition.enableLimit) {
-            definition.minLength = orElse(distance.minLength, definition.minLength);
-            definition.maxLength = orElse(distance.maxLength, definition.maxLength);
-        }
-        b2CreateDistanceJoint(world, &definition);
-    }
-    void operator()(const WeldDescription& weld) const {
-        b2WeldJointDef definition = b2DefaultWeldJointDef();
-        placeTurned(definition.base, weld);
-        definition.linearHertz = orElse(weld.linearHertz, 0);
-        definition.angularHertz = orElse(weld.angularHertz, 0);
-        definition.linearDampingRatio = definition.angularDampingRatio = orElse(weld.dampingRatio, 0);
-        b2CreateWeldJoint(world, &definition);
-    }
-    template <class Other>
-    void operator()(const Other&) const {
-        refuse("a joint");
-    }
-
-private:
-    template <class Members>
-    void placeTurned(b2JointDef& base, const Members& joint) const {
-        place(base, joint.anchor, joint.anchorB.value_or(joint.anchor));
-        if (!joint.referenceAngle) { return; }
-        base.localFrameA.q = toPeer(*joint.referenceAngle);
-        base.localFrameB.q = b2Rot_identity;
-    }
-    /// Frames that agree at the start: angles of the joint count from there.
-    void place(b2JointDef& base, DVec2 anchorA, DVec2 anchorB) const {
-        base.bodyIdA = bodyA;
-        base.bodyIdB = bodyB;
-        base.localFrameA = {b2Body_GetLocalPoint(bodyA, toPeerPlace(anchorA)), b2InvertRot(b2Body_GetRotation(bodyA))};
-        base.localFrameB = {b2Body_GetLocalPoint(bodyB, toPeerPlace(anchorB)), b2InvertRot(b2Body_GetRotation(bodyB))};
-        base.collideConnected = collideConnected;
-        base.constraintHertz = isStiff ? kStiffHertz : base.constraintHertz;
     }
 };
 
@@ -337,10 +245,7 @@ private:
     }
 
     void addJoint(std::size_t i) {
-        const JointDescription& joint = scene().joints[i];
-        const JointMaker maker{world_, bodies_[ends_[i].a], bodies_[ends_[i].b], joint.collideConnected,
-                               settings_.isStiff != 0};
-        std::visit(maker, joint.joint);
+        addBox2d3Joint(world_, bodies_[ends_[i].a], bodies_[ends_[i].b], scene().joints[i], settings_.isStiff != 0);
     }
 
     /// The engine knows angles within a turn only; the nearest to where the body was turning.

@@ -41,8 +41,27 @@ std::string lackOfBody(PeerEngine engine, const BodyDescription& body) {
     return body.gravityScale == 1 ? "" : "gravity of single bodies";
 }
 
+struct Box2d3LackOfJoint {
+    std::string operator()(const GearDescription&) const { return "gear joints"; }
+    std::string operator()(const PulleyDescription&) const { return "pulley joints"; }
+    std::string operator()(const WheelDescription& wheel) const {
+        return wheel.springTarget ? "wheel joints whose spring has a target" : "";
+    }
+    /// A strength without a velocity is one that seeks a pose.
+    std::string operator()(const MotorDescription& motor) const {
+        const bool seeksPlace = motor.maxForce && !motor.linearVelocity;
+        const bool seeksAngle = motor.maxTorque && !motor.angularVelocity;
+        return seeksPlace || seeksAngle ? "motor joints to a pose" : "";
+    }
+    template <class Other>
+    std::string operator()(const Other&) const {
+        return "";
+    }
+};
+
 std::string lackOfJoint(PeerEngine engine, const JointDescription& joint) {
     if (joint.breakForce || joint.breakTorque) { return "joints that break"; }
+    if (engine == PeerEngine::box2d3) { return std::visit(Box2d3LackOfJoint{}, joint.joint); }
     const auto* const revolute = std::get_if<RevoluteDescription>(&joint.joint);
     const auto* const distance = std::get_if<DistanceDescription>(&joint.joint);
     const auto* const weld = std::get_if<WeldDescription>(&joint.joint);
@@ -51,7 +70,7 @@ std::string lackOfJoint(PeerEngine engine, const JointDescription& joint) {
     }
     const bool isSoft = (revolute != nullptr && revolute->hertz) || (distance != nullptr && distance->hertz) ||
                         (weld != nullptr && (weld->linearHertz || weld->angularHertz));
-    return engine == PeerEngine::chipmunk && isSoft ? "springs of a given frequency" : "";
+    return isSoft ? "springs of a given frequency" : "";
 }
 
 const std::vector<std::string> kBox2d3Ways{
@@ -60,6 +79,8 @@ const std::vector<std::string> kBox2d3Ways{
     "Contacts and joints are springs of 30 and 60 Hz, or of a quarter of the sub-step rate when stiff.",
     "Bodies turn by no more than an eighth turn a step and move no faster than 400 m/s.",
     "Impacts slower than 1 m/s do not bounce.",
+    "A spring goes by the mass that its part of a joint would move alone: those of hinges and welds are softer.",
+    "Motor joints keep the axes along which they drive; mouse joints are springs of motor joints.",
     "A body that meets something within the step loses the rest of the step.",
     "Profile, relax passes and continuous modes other than off are ignored."};
 const std::vector<std::string> kChipmunkWays{
