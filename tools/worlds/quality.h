@@ -6,7 +6,7 @@ namespace swept::worlds {
 struct Quality {
     double deepest = 0;     ///< overlap of two shapes that may collide, metres; the largest of all samples
     double mean = 0;        ///< of all overlaps of all samples, metres
-    double jointError = 0;  ///< largest gap of a hinge, metres
+    double jointError = 0;  ///< largest gap of a joint: of hinges, welds, rods; off an axis; of a rope too long; metres
     double energy = 0;      ///< at the last sample, joules: kinetic, and potential (0 at y = 0)
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace swept::worlds {
 namespace {
@@ -12,10 +13,53 @@ DVec2 rotated(DVec2 v, double angle) {
     return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
-/// Where a point of the scene that is fixed to a body is now.
-DVec2 movedWith(const BodyDescription& body, const BodyFrame& frame, DVec2 point) {
-    return frame.position + rotated(point - body.position, frame.angle - body.angle);
-}
+struct MovedBody {
+    const BodyDescription& start;
+    const BodyFrame& now;
+
+    /// Where a direction, or a point, of the scene that is fixed to the body is now.
+    DVec2 turned(DVec2 direction) const { return rotated(direction, now.angle - start.angle); }
+    DVec2 moved(DVec2 point) const { return now.position + turned(point - start.position); }
+};
+
+/// By how much a joint fails to hold points of its bodies, metres; 0 of what holds none, like springs and motors.
+struct GapOf {
+    MovedBody a;
+    MovedBody b;
+
+    double operator()(const RevoluteDescription& hinge) const { return length(apart(hinge)); }
+    double operator()(const WeldDescription& weld) const { return weld.linearHertz ? 0 : length(apart(weld)); }
+    double operator()(const DistanceDescription& rod) const {
+        const double now = length(b.moved(rod.anchorB) - a.moved(rod.anchorA));
+        if (!rod.hertz && !rod.minLength && !rod.maxLength) {
+            return std::abs(now - rod.length.value_or(length(rod.anchorB - rod.anchorA)));
+        }
+        return std::max({0.0, rod.minLength.value_or(now) - now, now - rod.maxLength.value_or(now)});
+    }
+    double operator()(const PrismaticDescription& slider) const { return offAxis(slider); }
+    double operator()(const WheelDescription& wheel) const { return offAxis(wheel); }
+    double operator()(const PulleyDescription& pulley) const {
+        const auto ropeLength = [&](DVec2 onA, DVec2 onB) {
+            return length(onA - pulley.groundA) + pulley.ratio * length(onB - pulley.groundB);
+        };
+        const double most = pulley.length.value_or(ropeLength(pulley.anchorA, pulley.anchorB));
+        return std::max(0.0, ropeLength(a.moved(pulley.anchorA), b.moved(pulley.anchorB)) - most);
+    }
+    template <class Other>
+    double operator()(const Other&) const {
+        return 0;
+    }
+
+private:
+    template <class Members>
+    DVec2 apart(const Members& joint) const {
+        return b.moved(joint.anchorB.value_or(joint.anchor)) - a.moved(joint.anchor);
+    }
+    template <class Members>
+    double offAxis(const Members& joint) const {
+        return std::abs(cross(a.turned(joint.axis / length(joint.axis)), apart(joint)));
+    }
+};
 
 }  // namespace
 
@@ -53,11 +97,9 @@ void QualityGauge::addOverlaps(const PeerSample& sample, const std::vector<bool>
 void QualityGauge::addGaps(const PeerSample& sample, const std::vector<bool>& isPresent) {
     for (std::size_t i = 0; i < ends_.size(); ++i) {
         const auto [a, b] = ends_[i];
-        const auto* const hinge = std::get_if<RevoluteDescription>(&scene_.joints[i].joint);
-        if (hinge == nullptr || !isPresent[a] || !isPresent[b]) { continue; }
-        const DVec2 onA = movedWith(scene_.bodies[a], sample.frame.bodies[a], hinge->anchor);
-        const DVec2 onB = movedWith(scene_.bodies[b], sample.frame.bodies[b], hinge->anchor);
-        quality_.jointError = std::max(quality_.jointError, length(onB - onA));
+        if (!isPresent[a] || !isPresent[b]) { continue; }
+        const GapOf gap{{scene_.bodies[a], sample.frame.bodies[a]}, {scene_.bodies[b], sample.frame.bodies[b]}};
+        quality_.jointError = std::max(quality_.jointError, std::visit(gap, scene_.joints[i].joint));
     }
 }
 

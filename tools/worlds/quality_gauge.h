@@ -10,7 +10,7 @@
 
 namespace swept::worlds {
 
-/// Gathers samples of one run. Hinges are the only joints it knows.
+/// Gathers samples of one run.
 class QualityGauge {
 public:
     /// @param bench  outlives this
