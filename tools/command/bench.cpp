@@ -12,6 +12,7 @@
 #include "bench_accuracy.h"
 #include "bench_broadphase.h"
 #include "bench_effort.h"
+#include "bench_joints.h"
 #include "bench_run.h"
 #include "bench_threads.h"
 #include "bench_world.h"
@@ -111,6 +112,7 @@ void addBenchCommand(Command app) {
     addBenchAccuracy(all);
     addBenchEffort(all);
     addBenchThreads(all);
+    addBenchJoints(all);
     addBenchWorld(all);
 }
 

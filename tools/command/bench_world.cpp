@@ -13,6 +13,7 @@
 #include "bench_run.h"
 #include "commands.h"
 #include "progress.h"
+#include "world_names.h"
 
 namespace swept {
 namespace {
@@ -28,17 +29,7 @@ struct WorldArguments {
     BenchPlaces places;
 };
 
-std::vector<std::string> sceneNames() {
-    std::vector<std::string> names;
-    for (const worlds::SceneEntry& entry : worlds::allScenes()) { names.emplace_back(entry.name); }
-    return names;
-}
-
-std::vector<std::string> engineNames() {
-    std::vector<std::string> names;
-    for (const worlds::Contestant& contestant : worlds::allContestants()) { names.push_back(contestant.name); }
-    return names;
-}
+std::vector<std::string> sceneNames() { return namesOfScenes(worlds::allScenes()); }
 
 std::vector<worlds::WorldRow> measureScenes(const worlds::WorldBenchSettings& settings) {
     const std::size_t contestants = settings.engines.empty() ? engineNames().size() : settings.engines.size();

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "joint_scenes.h"
+
 namespace swept::worlds {
 namespace {
 
@@ -38,9 +40,12 @@ constexpr std::array<SceneEntry, 22> kScenes{{
 std::span<const SceneEntry> allScenes() { return kScenes; }
 
 const SceneEntry* sceneNamed(const std::string& name) {
-    const auto* const found =
-        std::find_if(kScenes.begin(), kScenes.end(), [&](const SceneEntry& entry) { return name == entry.name; });
-    return found == kScenes.end() ? nullptr : found;
+    for (const std::span<const SceneEntry> scenes : {allScenes(), jointScenes()}) {
+        const auto found =
+            std::find_if(scenes.begin(), scenes.end(), [&](const SceneEntry& entry) { return name == entry.name; });
+        if (found != scenes.end()) { return &*found; }
+    }
+    return nullptr;
 }
 
 int scaledCount(int count, double size) { return std::max(1, static_cast<int>(std::lround(count * size))); }

@@ -42,7 +42,7 @@ struct SceneEntry {
 };
 
 std::span<const SceneEntry> allScenes();
-/// Null when there is none of that name.
+/// Of these, or of joint_scenes.h. Null when there is none of that name.
 const SceneEntry* sceneNamed(const std::string& name);
 
 // In scenes_piles.cpp, scenes_stacks.cpp, scenes_jointed.cpp, scenes_games.cpp and scenes_structures.cpp.

@@ -212,6 +212,7 @@ std::vector<WorldRow> benchScene(const SceneEntry& entry, const WorldBenchSettin
             row.contestant = contestant.name;
             row.isPublished = entry.isPublished;
             row.bodies = bench.scene.bodies.size();
+            row.joints = bench.scene.joints.size();
         }
     }
     std::vector<StepRepeats> repeats(rows.size());

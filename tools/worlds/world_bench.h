@@ -43,8 +43,9 @@ inline constexpr const char* kRival = "Box2D 3";
 struct WorldRow {
     std::string scene;
     std::string contestant;
-    bool isPublished = false;        ///< the scene is one of the ten
-    std::size_t bodies = 0;          ///< in the scene, static ones too
+    bool isPublished = false;  ///< the scene is one of the ten
+    std::size_t bodies = 0;    ///< in the scene, static ones too
+    std::size_t joints = 0;
     std::vector<StepTime> times;     ///< of the timed steps, by `counts` of the repeats; fewer when it was stopped
     std::optional<Quality> quality;  ///< over the timed steps
     double startEnergy = 0;          ///< joules, before the first step

@@ -14,6 +14,7 @@ namespace swept::worlds {
 namespace {
 
 constexpr double kMilli = 1e3;
+constexpr double kMicro = 1e6;
 constexpr double kMega = 1.0 / (1024 * 1024);
 
 template <class Get>
@@ -48,23 +49,28 @@ std::string errorText(double value) {
 }
 
 /// Of what was stopped, with a star; of what was not timed, why.
-std::string timeText(const WorldRow& row, double seconds) {
+std::string timeText(const WorldRow& row, double time) {
     if (row.times.empty()) { return row.verdict.empty() ? "-" : row.verdict; }
-    return bench::threeDigits(kMilli * seconds) + (row.verdict.empty() ? "" : "*");
+    return bench::threeDigits(time) + (row.verdict.empty() ? "" : "*");
 }
 
-/// @param timeOf  seconds of a row
-void writeTimes(std::ostream& out, const std::vector<WorldRow>& rows, const char* title,
-                double (WorldRow::*timeOf)() const) {
+/// What a scene has, and how many.
+struct CountColumn {
+    const char* title;
+    std::size_t WorldRow::*count;
+};
+constexpr CountColumn kBodies{"bodies", &WorldRow::bodies};
+
+/// A line for each scene, a column for each contestant. @param textOf  what stands there of a row
+template <class TextOf>
+void writeByScene(std::ostream& out, const std::vector<WorldRow>& rows, const char* title, const CountColumn& counted,
+                  const TextOf& textOf) {
     const auto contestants = distinct(rows, contestantOf);
     out << '\n' << title << '\n';
-    bench::TextTable table(with({"scene", "bodies"}, contestants));
+    bench::TextTable table(with({"scene", counted.title}, contestants));
     for (const std::string& scene : distinct(rows, sceneOf)) {
-        std::vector<std::string> line{scene, std::to_string(find(rows, scene, contestants.front())->bodies)};
-        for (const std::string& contestant : contestants) {
-            const WorldRow& row = *find(rows, scene, contestant);
-            line.push_back(timeText(row, (row.*timeOf)()));
-        }
+        std::vector<std::string> line{scene, std::to_string(find(rows, scene, contestants.front())->*counted.count)};
+        for (const std::string& contestant : contestants) { line.push_back(textOf(*find(rows, scene, contestant))); }
         table.add(line);
     }
     table.write(out);
@@ -99,7 +105,10 @@ void writeRatios(std::ostream& out, const std::vector<WorldRow>& rows) {
         }
         table.add(line);
     }
+    const bool arePublished =
+        std::any_of(rows.begin(), rows.end(), [](const WorldRow& row) { return row.isPublished; });
     for (const bool publishedOnly : {true, false}) {
+        if (publishedOnly && !arePublished) { continue; }
         std::vector<std::string> line{publishedOnly ? "geometric mean, published" : "geometric mean, all"};
         for (const std::string& contestant : contestants) {
             line.push_back(meanRatio(rows, contestant, publishedOnly));
@@ -156,11 +165,26 @@ void writeRefusals(std::ostream& out, const std::vector<WorldRow>& rows) {
 
 void writeWorldTables(std::ostream& out, const std::vector<WorldRow>& rows) {
     if (rows.empty()) { return; }
-    writeTimes(out, rows, "Milliseconds a step (*: stopped, of fewer steps)", &WorldRow::perStep);
+    writeByScene(out, rows, "Milliseconds a step (*: stopped, of fewer steps)", kBodies,
+                 [](const WorldRow& row) { return timeText(row, kMilli * row.perStep()); });
     writeRatios(out, rows);
-    writeTimes(out, rows, "Longest of the steps, milliseconds", &WorldRow::longestStep);
+    writeByScene(out, rows, "Longest of the steps, milliseconds", kBodies,
+                 [](const WorldRow& row) { return timeText(row, kMilli * row.longestStep()); });
     writeStages(out, rows);
     writeQuality(out, rows);
+    writeRefusals(out, rows);
+}
+
+void writeJointTables(std::ostream& out, const std::vector<WorldRow>& rows) {
+    if (rows.empty()) { return; }
+    constexpr CountColumn kJoints{"joints", &WorldRow::joints};
+    writeByScene(
+        out, rows, "Microseconds a step for each joint (*: stopped, of fewer steps)", kJoints,
+        [](const WorldRow& row) { return timeText(row, kMicro * row.perStep() / static_cast<double>(row.joints)); });
+    writeRatios(out, rows);
+    writeByScene(out, rows, "Widest gap of a joint, every 20 steps, millimetres (springs and motors have none)",
+                 kJoints,
+                 [](const WorldRow& row) { return row.quality ? errorText(kMilli * row.quality->jointError) : "-"; });
     writeRefusals(out, rows);
 }
 
@@ -178,7 +202,7 @@ void writeGrowthTable(std::ostream& out, const std::vector<WorldRow>& rows) {
             std::vector<std::string> line{scene, std::to_string(bodies)};
             for (const WorldRow& row : rows) {
                 if (row.scene == scene && row.bodies == bodies) {
-                    const double perBody = 1e6 * row.perStep() / static_cast<double>(bodies);
+                    const double perBody = kMicro * row.perStep() / static_cast<double>(bodies);
                     line.push_back(row.times.empty() ? row.verdict : bench::threeDigits(perBody));
                 }
             }

@@ -10,6 +10,8 @@ namespace swept::worlds {
 
 /// Time of a step, times over those of `kRival`, stages, memory, quality.
 void writeWorldTables(std::ostream& out, const std::vector<WorldRow>& rows);
+/// Time of a step for each joint, over those of `kRival`, gaps of joints.
+void writeJointTables(std::ostream& out, const std::vector<WorldRow>& rows);
 /// Cost of a step over the number of bodies.
 void writeGrowthTable(std::ostream& out, const std::vector<WorldRow>& rows);
 void writeWorldCsv(std::ostream& out, const std::vector<WorldRow>& rows);

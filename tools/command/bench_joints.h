@@ -1,0 +1,10 @@
+#pragma once
+
+#include "options.h"
+
+namespace swept {
+
+/// `swept bench joints`.
+void addBenchJoints(Command bench);
+
+}  // namespace swept
