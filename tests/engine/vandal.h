@@ -242,7 +242,7 @@ private:
         return world_.redefine(joint, other);
     }
     Status pushBody() {
-        const BodyId body = any(known_.bodies);
+        const BodyId body = mostlyAlive();
         switch (random().integer(0, 6)) {
             case 0:
                 return world_.setPose(body, place(), number());
@@ -255,7 +255,7 @@ private:
             case 4:
                 return world_.applyImpulse(body, vector(), place());
             case 5:
-                return world_.setEnabled(body, random().chance(0.7));
+                return world_.setEnabled(body, random().chance(0.5));
             default:
                 return world_.setAwake(body, random().chance(0.5));
         }
