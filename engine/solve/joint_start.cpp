@@ -98,7 +98,7 @@ void startIsland(WorldState& world, const TiedGroup& group, double dt) {
     const Real h = step / static_cast<Real>(subSteps);
     const Real scale = static_cast<Real>(usual) / static_cast<Real>(subSteps);
     batch.clear();
-    giveSlots(world, group);
+    giveSlots(world, group, step);
     setBodies(world, group, h, [] {});
     const StepPart whole{.length = dt, .dt = dt, .subSteps = subSteps};
     const SolveTimes times(whole, h);

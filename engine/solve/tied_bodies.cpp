@@ -16,6 +16,7 @@
 #include "energy_guard.h"
 #include "leaps.h"
 #include "squeezed_bodies.h"
+#include "strained_bodies.h"
 #include "turning_ground.h"
 
 namespace swept::inline SWEPT_PRECISION {
@@ -191,7 +192,7 @@ Moves readSome(WorldState& world, SolveDesk& desk, bool isWatched, Real time, st
 
 }  // namespace
 
-void giveSlots(WorldState& world, const TiedGroup& group) {
+void giveSlots(WorldState& world, const TiedGroup& group, Real time) {
     SolveDesk& desk = group.desk;
     listTaking(world, group);
     const std::size_t slots = desk.bodies.size() + 1;
@@ -200,6 +201,8 @@ void giveSlots(WorldState& world, const TiedGroup& group) {
     desk.batch.drives.resize(slots);
     desk.localCenters.assign(1, {});
     desk.localCenters.resize(slots);
+    findStrained(world, group);
+    findTurningGround(world, group, time);
 }
 
 void setBodies(WorldState& world, const TiedGroup& group, Real h, FunctionRef<void()> beside) {

@@ -7,11 +7,9 @@
 #include "joint_builder.h"
 #include "joint_results.h"
 #include "search_debt.h"
-#include "strained_bodies.h"
 #include "tied_bodies.h"
 #include "tied_contacts.h"
 #include "tied_hinges.h"
-#include "turning_ground.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -174,9 +172,7 @@ bool solveGroup(WorldState& world, const TiedGroup& group, const StepPart& part)
     SolveDesk& desk = group.desk;
     desk.batch.clearAllButJoints();  // those went when they had been read
     TiedContacts contacts(world, group, part, plan.h, keptImpulseScale(world, group, part));
-    giveSlots(world, group);
-    findStrained(world, group);
-    findTurningGround(world, group, plan.time);
+    giveSlots(world, group, plan.time);
     const ContactWay way = linkContacts(world, group, plan, contacts);
     std::optional<TiedHinges> hinges;
     // Links, and so colours, are known without a look at the bodies.

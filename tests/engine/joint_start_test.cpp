@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "../support/random.h"
 #include "joint_support.h"
 
 /// Joints that are iterated begin with what they have to carry: what is built a little stronger than that stands from
@@ -273,6 +274,37 @@ TEST(JointStart, ACopyGoesOnAlike) {
             run(other, 20);
             EXPECT_EQ(copy.stateHash(), other.stateHash());
             run(built.world, 5);
+        }
+    }
+}
+
+/// The last solve, of another island, knew which ground turns. A copy does not know that solve.
+TEST(JointStart, ACopyGoesOnAlikeBesideGroundThatTurns) {
+    for (const Profile profile : kBothProfiles) {
+        for (int seed = 1; seed <= 20; ++seed) {
+            SCOPED_TRACE(profileName(profile) + ", seed " + std::to_string(seed));
+            Random random(static_cast<std::uint64_t>(seed));
+            Built built(profile);
+            for (int i = 0; i < 3; ++i) {
+                const DVec2 at{-6.0 - 3 * i, 1};
+                BodyDef mixer = bodyAt(BodyType::kinematic, at);
+                mixer.angularVelocity = real(random.range(0.5, 6));
+                addBody(built.world, mixer, box(1, 0.1));
+                built.brick({at.x + random.range(-0.5, 0.5), 1.5}, 0.15, 0.15);
+                built.brick({at.x + random.range(-0.5, 0.5), 1.9}, 0.15, 0.15);
+            }
+            const std::size_t first = built.bodies.size();
+            const int bricks = 2 + seed % 5;
+            for (int i = 0; i < bricks; ++i) { built.brick({0.5 * i, kBrick}); }
+            run(built.world, 3 + 2 * seed);
+            for (std::size_t i = first; i + 1 < built.bodies.size(); ++i) {
+                const double x = 0.5 * static_cast<double>(i - first) + kBrick;
+                built.join<WeldJointDef>(built.bodies[i], built.bodies[i + 1], {x, kBrick});
+            }
+            World copy = built.world;
+            run(built.world, 10);
+            run(copy, 10);
+            EXPECT_EQ(copy.stateHash(), built.world.stateHash());
         }
     }
 }
