@@ -67,9 +67,10 @@ constexpr auto allMembers(T& joint) {
 }
 template <MaybeConst<WeldConstraint> T>
 constexpr auto allMembers(T& joint) {
-    static_assert(areAllListed<WeldConstraint>(8));
+    static_assert(areAllListed<WeldConstraint>(9));
     return listed(baseOf<JointConstraint>(joint), joint.baseAngle, joint.linearSpring, joint.angularSpring,
-                  joint.hasLinearSpring, joint.hasAngularSpring, joint.linearImpulse, joint.angularImpulse);
+                  joint.hasLinearSpring, joint.isLinked, joint.hasAngularSpring, joint.linearImpulse,
+                  joint.angularImpulse);
 }
 template <MaybeConst<MotorConstraint> T>
 constexpr auto allMembers(T& joint) {

@@ -113,7 +113,7 @@ private:
             const IslandMotion& island = desk.islandMotions[account.motion];
             const DVec2 arm = world_.motions[slot].center - world_.motions[island.root].center - island.center;
             const DVec2 whole = island.keptVelocity + island.keptSpin * DVec2{-arm.y, arm.x};
-            const double part = 1 - island.share;
+            const double part = mayHaveBurst(account) ? 1 : 1 - island.share;
             const BodyMotion& motion = world_.motions[slot];
             EnergyEntry& entry = desk.energyEntries[i];
             const DVec2 back = part * (time * whole - toDouble(entry.moved));

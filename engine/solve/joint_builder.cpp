@@ -119,12 +119,19 @@ struct ConstraintFiller {
         constraint.suspension.hasSpring = def.spring.has_value();
         if (def.spring) { constraint.spring = wheelSpringOf(world, joint, *def.spring, h); }
     }
+    /// Of the bodies the one that a push at its anchor turns more. @return slot
+    std::uint32_t easilyTurned(const WeldConstraint& constraint) const {
+        const Real a = world.bodies[joint.bodyA].inverseInertia * lengthSquared(constraint.anchorA);
+        const Real b = world.bodies[joint.bodyB].inverseInertia * lengthSquared(constraint.anchorB);
+        return a > b ? joint.bodyA : joint.bodyB;
+    }
     void operator()(WeldConstraint& constraint, const WeldJointDef& def) const {
         constraint.baseAngle = baseAngle();
         constraint.hasLinearSpring = def.linearSpring.has_value();
         if (def.linearSpring) {
             constraint.linearSpring = pointSpringOf(world, joint, *def.linearSpring, h, !def.angularSpring,
                                                     world.motions[joint.bodyA].pose.rotation);
+            constraint.isLinked = world.bodies[easilyTurned(constraint)].holdingJoints > 1;
         }
         constraint.hasAngularSpring = def.angularSpring.has_value();
         if (def.angularSpring) { constraint.angularSpring = gainsOf(*def.angularSpring); }

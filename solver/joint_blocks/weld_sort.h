@@ -23,10 +23,11 @@ struct WeldSort {
     static BlockLayout::Kind kindOf(const WeldConstraint& joint, std::span<const BodyInertia> inertias) {
         const bool turns = inertias[joint.slotA].inverseInertia + inertias[joint.slotB].inverseInertia > 0;
         if (!turns || joint.isHeld) { return BlockLayout::kAlone; }
-        return static_cast<BlockLayout::Kind>((joint.hasLinearSpring ? 1U : 0U) + (joint.hasAngularSpring ? 2U : 0U));
+        return static_cast<BlockLayout::Kind>((joint.hasLinearSpring ? 1U : 0U) + (joint.hasAngularSpring ? 2U : 0U) +
+                                              (joint.isLinked ? 4U : 0U));
     }
     static void empty(WideWeld& block, BlockLayout::Kind kind) {
-        block.parts = {(kind & 1U) != 0, (kind & 2U) != 0};
+        block.parts = {(kind & 1U) != 0, (kind & 2U) != 0, (kind & 4U) != 0};
         block.totalX = block.totalY = block.totalTwist = {};
     }
     static void fill(WideWeld& block, std::size_t lane, const WeldConstraint& joint) {

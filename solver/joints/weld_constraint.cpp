@@ -106,20 +106,25 @@ void solveTwisted(WeldConstraint& joint, const Pin& pin, const JointPair& pair, 
     push(joint, pin, pair, twist * spin.answer);
 }
 
-/// The angle, and the points that it guides: `Spin` with the parts exchanged.
+/// The angle, and the points that it guides: `Spin` with the parts exchanged. What hangs on its own is as soft as what
+/// is left of the response while the points are held, S: all of its own, k, at a lever L is 1 + m·L²/I times that, and
+/// turned it away from its spring. But a link that other joints hold does not go along with the points: there a row
+/// that is nearly rigid is iterated against others without anything that damps it. (A light body that a hinge, an angle
+/// and a weld to the ground held burst.)
 struct StiffAngle {
-    Real given = 0;      ///< γ·S
-    Real response = 0;   ///< k + γ·S; 0 of bodies that cannot turn
+    Real given = 0;      ///< γ·S, or γ·k of links
+    Real response = 0;   ///< k + that; 0 of bodies that cannot turn
     Vec2 pull;           ///< of the angle on the points
     PointMatrix points;  ///< response of the points with the answer of the angle
 };
 
-StiffAngle stiffAngleOf(const Pin& pin, const JointPair& pair, Real compliance) {
+StiffAngle stiffAngleOf(const Pin& pin, const JointPair& pair, Real compliance, bool isLinked) {
     const PointMatrix firm = matrixAtAngle(pin, pair);
     const Real turn = turnOf(pair);
     if (!(turn > 0)) { return {0, 0, {}, firm}; }
     const Spin spin = spinOf(pin, pair, 0);
-    const Real given = spin.mass > 0 ? compliance / spin.mass : Real(0);
+    const Real held = spin.mass > 0 ? compliance / spin.mass : Real(0);
+    const Real given = isLinked ? compliance * turn : held;
     const Vec2 pull = pullOf(pin, pair);
     const Real more = given / (turn * (turn + given));
     return {given,
@@ -131,7 +136,7 @@ StiffAngle stiffAngleOf(const Pin& pin, const JointPair& pair, Real compliance) 
 
 /// The angle, then, once per sub-step, the drag of the point's spring while the angle stays.
 void solveHung(WeldConstraint& joint, const Pin& pin, const JointPair& pair, bool useBias) {
-    const StiffAngle angle = stiffAngleOf(pin, pair, complianceOf(joint, useBias));
+    const StiffAngle angle = stiffAngleOf(pin, pair, complianceOf(joint, useBias), joint.isLinked);
     const bool canTurn = angle.response > 0;
     if (canTurn && (!joint.isHeld || !useBias)) {
         const Real bias = useBias ? joint.softness.biasRate * angleOf(joint, pair) : Real(0);

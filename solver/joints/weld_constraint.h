@@ -19,6 +19,8 @@ struct WeldConstraint : JointConstraint {
     PointSpring linearSpring;  ///< what it does to A, it does where B's point is
     SpringGains angularSpring;
     bool hasLinearSpring = false;  ///< false: rigid
+    /// The body that turns most easily, about its lever, is held by other joints, too.
+    bool isLinked = false;
     bool hasAngularSpring = false;
     /// Accumulated; warm start in, result out. Per sub-step.
     Vec2 linearImpulse;       ///< N·s

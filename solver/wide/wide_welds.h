@@ -9,6 +9,7 @@ namespace swept::inline SWEPT_PRECISION {
 struct WeldParts {
     bool hasLinearSpring = false;
     bool hasAngularSpring = false;
+    bool isLinked = false;
 };
 
 /// As many welds as there are lanes, all with the same parts; see `WeldConstraint`.

@@ -45,7 +45,8 @@ public:
     template <bool kUseBias>
     HWY_INLINE void solve(const ContactPass& pass) {
         if (pass.hasMoved) { findSeam(); }
-        const auto [isHung, isTwisted] = block_.parts;
+        const bool isHung = block_.parts.hasLinearSpring;
+        const bool isTwisted = block_.parts.hasAngularSpring;
         if (isHung && isTwisted) {
             if (kUseBias) { solveSprings(); }
         } else if (isHung) {
@@ -95,8 +96,7 @@ private:
     template <bool kUseBias>
     HWY_INLINE void solveHung() {
         const Lanes zero = hn::Zero(Tag());
-        const Lanes spinMass = at(block_.spinMass);
-        const Lanes given = hn::IfThenElseZero(hn::Gt(spinMass, zero), hn::Div(compliance<kUseBias>(), spinMass));
+        const Lanes given = givenOfAngle(compliance<kUseBias>());
         const Lanes response = hn::Add(turns(), given);
         const Lanes bias = kUseBias ? hn::Mul(at(block_.biasRate), angle()) : zero;
         const Lanes speed = hn::Add(hn::Add(speedOfSpin(), bias), hn::Mul(given, at(block_.angularImpulse)));
@@ -105,6 +105,12 @@ private:
         const Pair drag = dragOfPoint(pointsAtStiffAngle(given));
         push(drag);
         turnBy(hn::Div(hn::Neg(dotOf(pull(), drag)), response));
+    }
+    /// `StiffAngle::given`.
+    HWY_INLINE Lanes givenOfAngle(Lanes compliance) const {
+        if (block_.parts.isLinked) { return hn::Mul(compliance, turns()); }
+        const Lanes spinMass = at(block_.spinMass);
+        return hn::IfThenElseZero(hn::Gt(spinMass, hn::Zero(Tag())), hn::Div(compliance, spinMass));
     }
     /// `StiffAngle::points`.
     HWY_INLINE Matrix pointsAtStiffAngle(Lanes given) const {
@@ -123,7 +129,8 @@ private:
     }
 
     HWY_INLINE void pushSprings() {
-        const auto [isHung, isTwisted] = block_.parts;
+        const bool isHung = block_.parts.hasLinearSpring;
+        const bool isTwisted = block_.parts.hasAngularSpring;
         if (isHung) {
             const Pair change{hn::Sub(at(block_.pushX), at(block_.impulseX)),
                               hn::Sub(at(block_.pushY), at(block_.impulseY))};

@@ -166,6 +166,7 @@ private:
     void fill(WeldConstraint& joint) {
         joint.baseAngle = number(-0.01, 0.01);
         joint.hasLinearSpring = random_.chance(0.3);
+        joint.isLinked = joint.hasLinearSpring && random_.chance(0.5);
         joint.linearSpring = pointSpring();
         joint.hasAngularSpring = random_.chance(0.3);
         joint.angularSpring = spring();
