@@ -68,7 +68,7 @@ struct ContactEvent {
     DVec2 point{};
     Vec2 normal{};           ///< unit, from A to B
     Real approachSpeed = 0;  ///< m/s before a hit
-    Real impulse = 0;        ///< N·s of a hit, along the normal
+    Real impulse = 0;        ///< N·s along the normal, of a hit: what of the blow this step solved
     // Those of the time of the event: they tell who it was after what the ids name is gone.
     std::uint64_t userDataA = 0;      ///< of `shapeA`
     std::uint64_t userDataB = 0;      ///< of `shapeB`

@@ -46,7 +46,7 @@ bool mayBeTried(const WorldState& world, std::size_t island, double dt) {
     const auto isPutBack = [&world](std::uint32_t joint) { return mayBePutBack(world, joint); };
     const bool isPlain = joints.empty() ? effort.doublings == 0
                                         : (effort.direct == DirectScope::none || isOfFreeJoints(effort.direct)) &&
-                                              (effort.doublings == 0 || effort.isCrowd) &&
+                                              (effort.doublings == 0 || effort.isCrowd()) &&
                                               std::all_of(joints.begin(), joints.end(), isPutBack);
     return isPlain && !effort.isSettled && isOnePart(world, fast.bodies.of(island), joints, dt);
 }

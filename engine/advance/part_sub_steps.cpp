@@ -81,7 +81,7 @@ bool isOnePart(const WorldState& world, std::span<const std::uint32_t> members, 
 int subStepsOfPart(const WorldState& world, const AdvancingIsland& island, double time, double dt) {
     const Effort effort = world.bodies[island.members[0]].effort;
     const int usual = subStepsOf(world.settings);
-    const int asked = effort.isCrowd || isOneHard(world, island, dt) ? subStepsFor(effort, usual) : usual;
+    const int asked = effort.isCrowd() || isOneHard(world, island, dt) ? subStepsFor(effort, usual) : usual;
     const bool isJointed = !island.jointSlots.empty();
     const bool isBudgeted = hasErrorBudget(world.settings);
     // Light links that heavy bodies swing past whip round within a part, unforeseen by the spin at its start: what the

@@ -6,6 +6,7 @@
 #include "../solve/search_debt.h"
 #include "../state/profile.h"
 #include "balance.h"
+#include "blows.h"
 #include "hard_pull.h"
 #include "held_islands.h"
 #include "island_load.h"
@@ -54,7 +55,7 @@ constexpr int kFewestSubStepsForJoints = 8;
 constexpr std::uint32_t kFewestInRagdoll = 8;
 constexpr std::uint32_t kMovingShare = 8;
 constexpr double kCrowdErrorRatio = 1.0 / 32;
-constexpr Effort kCrowd{.doublings = -1, .isCrowd = true};
+constexpr Effort kCrowd{.doublings = -1, .stir = Stir::crowd};
 /// A heap is stirred where so many are on the move as in the smallest crowd, in what sinks in by so little when its
 /// springs become those of half of the sub-steps that nothing gets on the move by that: no heap keeps itself stirred.
 constexpr std::uint32_t kFewestStirring = kFewestInCrowd / kMovingShare;
@@ -253,10 +254,15 @@ void assignByLoad(WorldState& world, double dt) {
         const bool mayBeHard = load.bodies == 1 && (world.traits[slot] & kIsFast) != 0;
         return mayBeHard ? pullOf(world, world.bodies[slot], step) : step.gravity;
     };
+    bool areAnyStruck = false;
     for (const std::uint32_t slot : world.tied) {
         IslandLoad& load = world.islandLoads[slot];
-        if (load.bodies > 0) { load.effort = fast ? Effort{} : effortFor(load, step, pullAt(slot, load)); }
+        if (load.bodies == 0) { continue; }
+        load.effort = fast ? Effort{} : effortFor(load, step, pullAt(slot, load));
+        if (!fast) { expectBlows(load, step.gravity); }
+        areAnyStruck = areAnyStruck || load.mayBeStruck;
     }
+    if (areAnyStruck) { markStruckIslands(world, dt); }
 }
 
 /// Chains that nothing touched, whose joints were solved all at once in the last step, and that are iterated in this

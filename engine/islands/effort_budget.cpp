@@ -7,6 +7,7 @@
 #include "../solve/joint_builder.h"
 #include "../state/profile.h"
 #include "../state/world_state.h"
+#include "blows.h"
 
 namespace swept::inline SWEPT_PRECISION {
 namespace {
@@ -33,19 +34,7 @@ Real blowOf(const WorldState& world, const Contact& contact, Real dt) {
     const Body& bodyB = world.bodies[contact.bodyB];
     const bool alone = !bodyA.isDynamic() ? !bodyB.touchesDynamic : !bodyB.isDynamic() && !bodyA.touchesDynamic;
     if (alone) { return 0; }
-    const BodyMotion& a = world.motions[contact.bodyA];
-    const BodyMotion& b = world.motions[contact.bodyB];
-    const Vec2 normal = rotate(a.pose.rotation, contact.manifold.normal);
-    const Real fall = length(world.settings.gravity) * dt;
-    Real fastest = 0;
-    for (int i = 0; i < contact.manifold.count; ++i) {
-        const ManifoldPoint& point = contact.manifold.points[static_cast<std::size_t>(i)];
-        const DVec2 place = apply(a.pose, point.point);
-        const Vec2 velocity = b.velocity + cross(b.angularVelocity, toReal(place - b.center)) - a.velocity -
-                              cross(a.angularVelocity, toReal(place - a.center));
-        const Real speed = -dot(velocity, normal);
-        if ((speed + fall) * dt > point.separation) { fastest = std::max(fastest, speed); }
-    }
+    const Real fastest = closingSpeedOf(world, contact, dt);
     const Real heavier = std::min(bodyA.inverseMass, bodyB.inverseMass);
     return fastest * dt * (1 - heavier / (bodyA.inverseMass + bodyB.inverseMass));
 }

@@ -27,6 +27,7 @@ BodyLoad loadOf(const Body& body, const BodyMotion& motion, DVec2 up, Real gravi
             // The effort is still that of the last step.
             .staysPut = isStill || body.effort.direct == DirectScope::all,
             .isJointed = body.holdingJoints > 0,
+            .wasStruck = body.effort.stir == Stir::struck,
             .isLink = isLink,
             .mayCarry = isLink || (body.holdingJoints > 0 && isRound(body))};
 }
@@ -42,6 +43,7 @@ void addBodiesOf(IslandLoad& load, const IslandLoad& more) {
     load.moving += more.moving;
     load.debt = std::max(load.debt, more.debt);
     load.staysPut = load.staysPut && more.staysPut;
+    load.wasStruck = load.wasStruck || more.wasStruck;
     load.heaviestLoose = std::max(load.heaviestLoose, more.heaviestLoose);
     load.heaviestJointed = std::max(load.heaviestJointed, more.heaviestJointed);
     load.lightest = std::min(load.lightest, more.lightest);
@@ -57,6 +59,7 @@ void addBody(IslandLoad& load, const BodyLoad& body) {
                        .lightest = body.mass,
                        .lightestLink = body.isLink ? body.mass : std::numeric_limits<Real>::max(),
                        .lightestCarrier = body.mayCarry ? body.mass : std::numeric_limits<Real>::max(),
+                       .wasStruck = body.wasStruck,
                        .heaviestJointed = body.isJointed ? body.mass : 0,
                        .thinnest = body.extent,
                        .lowest = body.height,

@@ -72,7 +72,7 @@ struct ContactWay {
 ContactWay linkContacts(const WorldState& world, const TiedGroup& group, const SolvePlan& plan,
                         TiedContacts& contacts) {
     if (!plan.isIterated || world.watched) { return {.bouncing = contacts.countBouncing()}; }
-    const bool isCrowd = world.settings.profile == Profile::fast || group.effort.isCrowd;
+    const bool isCrowd = world.settings.profile == Profile::fast || group.effort.isCrowd();
     const std::size_t bouncing = contacts.link();
     const bool inTurn = bouncing > (isCrowd ? kMostReflectedOfCrowd : kMostReflected);
     const bool areFew = bouncing <= kMostAlone || 2 * bouncing < group.desk.batch.links.size();

@@ -22,6 +22,8 @@ struct IslandLoad {
     bool isAnchored = false;             ///< a joint ties it to what is not dynamic
     bool hasLoop = false;                ///< joints between some of its bodies, and the ground, close one
     bool hasWideLoop = false;            ///< not all chains that do are `JointChain::isThin`
+    bool mayBeStruck = false;            ///< see blows.h
+    bool wasStruck = false;              ///< one of its bodies was, in the last step
     std::uint32_t longestBeam = 0;       ///< joints that hold angles, of a chain that hangs on what is not dynamic
     std::uint32_t longestChain = 0;      ///< joints that hang together without contacts
     Real heaviestJointed = 0;
@@ -53,6 +55,7 @@ struct BodyLoad {
     bool isMoving = false;
     bool staysPut = false;
     bool isJointed = false;
+    bool wasStruck = false;
     bool isLink = false;  ///< two joints hold it, or a joint and what it touches: others may pull at each other by it
     /// A link, or a wheel: that touches the ground again and again.
     bool mayCarry = false;

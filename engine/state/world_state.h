@@ -157,6 +157,7 @@ struct WorldState : Workers {
     std::vector<IslandLoad> islandLoads;           ///< by root, of this step
     std::vector<BodyLoad> bodyLoads;               ///< by place in `tied`, likewise, of whom `blockLoads` leaves out
     std::vector<BlockLoad> blockLoads;             ///< likewise
+    std::vector<Vec2> blows;                       ///< by body slot: which way one that strikes it pushes it, or 0
     Scratch<std::vector<IslandContacts>> islandContacts;  ///< of this step
     std::vector<Effort> tiedEfforts;                      ///< by place in `tied`: as they were given to the bodies
     JointChains jointChains;
