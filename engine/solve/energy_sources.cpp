@@ -1,5 +1,6 @@
 #include "energy_sources.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
