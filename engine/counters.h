@@ -6,7 +6,7 @@ namespace swept {
 
 /// What the last step did. Always on.
 struct StepCounters {
-    std::uint64_t awakeBodies = 0;
+    std::uint64_t awakeBodies = 0;   ///< kinematic ones among them, which do not sleep
     std::uint64_t freeBodies = 0;    ///< took their parabola in one step
     std::uint64_t solvedBodies = 0;  ///< went through the sub-stepped solver
     std::uint64_t flyers = 0;        ///< went through the impact loop

@@ -107,7 +107,7 @@ public:
     Vec2 velocity(BodyId id) const;                 ///< of the centre of mass, m/s
     Vec2 velocityAt(BodyId id, DVec2 point) const;  ///< of the point of the body that is there now, world, m/s
     Real angularVelocity(BodyId id) const;          ///< rad/s
-    bool isAwake(BodyId id) const;                  ///< static and disabled bodies never are
+    bool isAwake(BodyId id) const;                  ///< static and disabled bodies never are, kinematic ones always
     double mass(BodyId id) const;                   ///< kg; 0 unless dynamic
     double inertia(BodyId id) const;                ///< kg·m² about the centre of mass; 0 unless dynamic
     std::uint64_t userData(BodyId id) const;
