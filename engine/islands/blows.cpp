@@ -80,10 +80,10 @@ Real closingSpeedOf(const WorldState& world, const Contact& contact, Real dt) {
 }
 
 void expectBlows(IslandLoad& load, double gravity) {
-    const bool isFewLoose = load.bodies > 1 && load.bodies < kMostStruck && load.contacts > 1 && load.joints == 0;
+    if (load.bodies < 2 || load.bodies >= kMostStruck || load.contacts < 2) { return; }
     const bool isUneven = load.heaviestLoose > kMostEven * load.lightest;
     const bool isIterated = load.effort.direct == DirectScope::none && load.effort.stir == Stir::none;
-    if (!isFewLoose || !isUneven || !isIterated) { return; }
+    if (!isUneven || !isIterated || load.joints > 0) { return; }
     if (load.wasStruck) { load.effort.stir = Stir::wasStruck; }
     load.mayBeStruck = load.fastest > kBlowRatioOfFall * static_cast<Real>(gravity) * load.thinnest;
 }

@@ -83,7 +83,7 @@ TEST(Heaps, SearchesHaveAnEnd) {
     std::uint64_t most = 0;
     std::uint64_t all = 0;
     std::uint64_t takenBack = 0;
-    for (const int count : {228, 246}) {
+    for (const int count : {226, 228, 246}) {  // in the first one in both precisions
         Heap heap(count, true);
         for (int step = 0; step < 1200; ++step) {
             run(heap.world, 1);
@@ -99,7 +99,7 @@ TEST(Heaps, SearchesHaveAnEnd) {
     }
     EXPECT_GT(most, kSpare) << "too few rounds to prove anything";
     EXPECT_GT(takenBack, 0U) << "nothing was searched in vain";
-    EXPECT_LE(all / 2400, 6U) << "rounds of a step, in the mean";
+    EXPECT_LE(all / 3600, 6U) << "rounds of a step, in the mean";
 }
 
 /// What was searched in vain in one heap is no debt of a tower beside it, which a disc rolls on, so that it is solved
