@@ -83,7 +83,8 @@ void expectBlows(IslandLoad& load, double gravity) {
     if (load.bodies < 2 || load.bodies >= kMostStruck || load.contacts < 2) { return; }
     const bool isUneven = load.heaviestLoose > kMostEven * load.lightest;
     const bool isIterated = load.effort.direct == DirectScope::none && load.effort.stir == Stir::none;
-    if (!isUneven || !isIterated || load.joints > 0) { return; }
+    if (!isUneven || !isIterated) { return; }
+    if (load.joints > 0) { return; }
     if (load.wasStruck) { load.effort.stir = Stir::wasStruck; }
     load.mayBeStruck = load.fastest > kBlowRatioOfFall * static_cast<Real>(gravity) * load.thinnest;
 }
